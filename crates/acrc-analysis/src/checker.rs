@@ -1,0 +1,57 @@
+//! How other crates look for findings in a file and have the result remembered.
+
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+use acrc_catalog::Model;
+use acrc_diagnostics::Diagnostic;
+use acrc_syntax::Tree;
+
+use crate::{Environment, FileIndex};
+
+/// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
+/// one of these changes.
+#[derive(Clone, Copy, Debug)]
+pub struct FileContext<'a> {
+    /// The text.
+    pub text: &'a str,
+    /// Its tree.
+    pub tree: &'a Tree,
+    /// Its sections, labels and jumps.
+    pub index: &'a FileIndex,
+    /// The symbols of the other files, as far as this one uses them.
+    pub environment: &'a Environment,
+    /// The controller model.
+    pub model: &'static Model,
+    /// The project names the model; otherwise it is the default one.
+    pub model_is_given: bool,
+}
+
+/// A check of one file.
+#[derive(Clone, Copy)]
+pub struct Checker {
+    /// Its name, by which results are remembered: two checkers of one name must be the same.
+    pub name: &'static str,
+    /// Looks at a file. The findings may come in any order.
+    pub run: fn(&FileContext<'_>) -> Vec<Diagnostic>,
+}
+
+impl PartialEq for Checker {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Checker {}
+
+impl Hash for Checker {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl fmt::Debug for Checker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Checker").field(&self.name).finish()
+    }
+}

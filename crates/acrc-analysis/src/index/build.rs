@@ -1,0 +1,161 @@
+//! One pass over a file that fills its index.
+
+use acrc_catalog::{ObjectKind, command};
+use acrc_diagnostics::Span;
+use acrc_syntax::Tree;
+use acrc_syntax::ast::{Argument, Command, Expr, ExprKind, Separator, Statement, StatementKind};
+use acrc_syntax::units::{Section, SectionKind};
+use acrc_syntax::{blocks, units};
+use rustc_hash::FxHashSet;
+
+use super::{
+    AliasOperand, Attachment, AttachmentKind, AttachmentSite, DefineSite, Exports, FileIndex, Jump, LabelSite,
+    LineSite, Name, SectionIndex, Sequence,
+};
+use crate::{FileRole, walk};
+
+pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Exports) {
+    let implicit_program = super::is_implicit_program(role, tree);
+    let mut builder = Builder { text, tree, uses: FxHashSet::default(), exports: Exports::default() };
+    let mut index = FileIndex { implicit_program, sections: Vec::new(), defines: Vec::new(), attachments: Vec::new() };
+    for mut section in units::split(tree, role.start()) {
+        if implicit_program && section.level == role.start() {
+            section.kind = SectionKind::Stored;
+        }
+        builder.section(section, &mut index);
+    }
+    (index, builder.finish())
+}
+
+struct Builder<'a> {
+    text: &'a str,
+    tree: &'a Tree,
+    uses: FxHashSet<&'a str>,
+    exports: Exports,
+}
+
+impl<'a> Builder<'a> {
+    fn section(&mut self, section: Section, index: &mut FileIndex) {
+        let ordinal = index.sections.len() as u32;
+        let sequence = match section.kind {
+            SectionKind::Immediate => Sequence::Immediate,
+            SectionKind::Stored => Sequence::Stored(ordinal),
+        };
+        self.exports.has_program |= section.opener.is_some();
+        self.exports.levels.push(section.level);
+
+        let blocks = blocks::match_blocks(self.tree, section.statements.clone());
+        let (mut labels, mut jumps) = (Vec::new(), Vec::new());
+        // Set behind a THEN for the rest of its line.
+        let mut behind_then = false;
+        for at in section.statements.clone() {
+            let Some(statement) = self.tree.statements().get(at as usize) else { break };
+            behind_then =
+                statement.separator != Separator::Line && (behind_then || statement.separator == Separator::Then);
+            match &statement.kind {
+                StatementKind::Label(label) => labels.push(LabelSite { name: label.name, statement: at }),
+                StatementKind::Define(define) => {
+                    index.defines.push(DefineSite { name: define.name, operand: define.operand.span });
+                    let operand = AliasOperand::new(self.text, &define.operand);
+                    self.exports.aliases.push((self.slice(define.name).into(), operand));
+                }
+                StatementKind::Command(command) => {
+                    jumps.extend(jump(at, command));
+                    let conditional = behind_then || blocks.enclosing(at).is_some();
+                    if let Some((kind, site)) = self.attachment(statement, command) {
+                        index.attachments.push(site);
+                        self.exports.attachments.push(Attachment { level: section.level, sequence, conditional, kind });
+                    }
+                    self.exports.switches_level |= [command::PROG, command::PLC, command::SYS].contains(&command.id);
+                }
+                _ => {}
+            }
+            self.collect_uses(statement);
+        }
+        labels.sort_by_key(|label: &LabelSite| (self.slice(label.name), label.statement));
+        let lines = self.line_numbers(&section);
+        index.sections.push(SectionIndex { section, labels, lines, jumps, blocks });
+    }
+
+    fn collect_uses(&mut self, statement: &Statement) {
+        let text = self.text;
+        let uses = &mut self.uses;
+        walk::expressions(statement, &mut |expr: &Expr| {
+            if matches!(expr.kind, ExprKind::Alias) {
+                uses.insert(text.get(expr.span.range()).unwrap_or_default());
+            }
+        });
+    }
+
+    fn line_numbers(&self, section: &Section) -> Vec<LineSite> {
+        let mut lines: Vec<_> = numbered_lines(self.tree, section).collect();
+        lines.sort_unstable();
+        lines
+    }
+
+    fn attachment(&self, statement: &Statement, command: &Command) -> Option<(AttachmentKind, AttachmentSite)> {
+        let object = |wanted: ObjectKind| {
+            command.arguments.iter().find_map(|argument| match argument {
+                Argument::Object(object) if object.kind == wanted => object.index,
+                _ => None,
+            })
+        };
+        let (slot, axis) = (object(ObjectKind::Slave), object(ObjectKind::Axis));
+        let mut site = AttachmentSite { statement: statement.span, name: None };
+        let kind = match command.id {
+            command::ATTACH_SLAVE => {
+                let name = command.arguments.iter().find_map(string_argument);
+                site.name = name.map(|(whole, _)| whole);
+                let name = name.map(|(_, inner)| self.slice(inner).to_ascii_uppercase().into());
+                AttachmentKind::Slave { slot, axis, name }
+            }
+            command::DETACH => AttachmentKind::Detach { slot, axis },
+            command::DETACH_ALL => AttachmentKind::DetachAll,
+            _ => return None,
+        };
+        Some((kind, site))
+    }
+
+    fn slice(&self, span: Span) -> &'a str {
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    fn finish(mut self) -> Exports {
+        let mut uses: Vec<Name> = self.uses.into_iter().map(Name::from).collect();
+        uses.sort_unstable();
+        self.exports.uses = uses;
+        self.exports.levels.sort_unstable();
+        self.exports.levels.dedup();
+        self.exports
+    }
+}
+
+fn jump(statement: u32, command: &Command) -> Option<Jump> {
+    let call = match command.id {
+        command::GOTO => false,
+        command::GOSUB => true,
+        _ => return None,
+    };
+    command.arguments.iter().find_map(|argument| match argument {
+        Argument::Target(target) => Some(Jump { statement, target: *target, call }),
+        _ => None,
+    })
+}
+
+/// A string argument with its quotes, and without.
+fn string_argument(argument: &Argument) -> Option<(Span, Span)> {
+    match argument {
+        Argument::Value(Expr { span, kind: ExprKind::String(inner) }) => Some((*span, *inner)),
+        _ => None,
+    }
+}
+
+fn numbered_lines<'a>(tree: &'a Tree, section: &'a Section) -> impl Iterator<Item = LineSite> + 'a {
+    let range = section.statements.clone();
+    let from = tree.lines().partition_point(|line| line.statements.end <= range.start);
+    let lines = tree.lines().get(from..).unwrap_or_default();
+    lines.iter().take_while(move |line| line.statements.start < section.statements.end).filter_map(|line| {
+        let number = line.number?.value;
+        (!line.statements.is_empty()).then_some(LineSite { number, statement: line.statements.start })
+    })
+}

@@ -1,0 +1,77 @@
+//! Sections of a file with their labels, line numbers, jumps and blocks.
+
+use acrc_diagnostics::Span;
+use acrc_syntax::ast::Target;
+use acrc_syntax::blocks::Blocks;
+use acrc_syntax::units::Section;
+
+/// A section with what can be jumped to in it and from where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionIndex {
+    /// Level, kind and extent.
+    pub section: Section,
+    /// Its labels, sorted by name, then by place.
+    pub labels: Vec<LabelSite>,
+    /// Its line numbers, sorted by number, then by place.
+    pub lines: Vec<LineSite>,
+    /// Its `GOTO` and `GOSUB`, in the order of the text.
+    pub jumps: Vec<Jump>,
+    /// Its blocks.
+    pub blocks: Blocks,
+}
+
+/// The definition of a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LabelSite {
+    /// The name without the underscore.
+    pub name: Span,
+    /// Index of the statement.
+    pub statement: u32,
+}
+
+/// A line number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LineSite {
+    /// The number.
+    pub number: u32,
+    /// Index of the first statement of the line.
+    pub statement: u32,
+}
+
+/// A `GOTO` or `GOSUB`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Jump {
+    /// Index of the statement.
+    pub statement: u32,
+    /// Where it goes.
+    pub target: Target,
+    /// It is a `GOSUB`.
+    pub call: bool,
+}
+
+impl SectionIndex {
+    /// The labels of this name; more than one when it is defined twice. Labels are case-sensitive.
+    pub fn labels_named<'a>(&'a self, text: &'a str, name: &str) -> &'a [LabelSite] {
+        let from = self.labels.partition_point(|label| slice(text, label.name) < name);
+        let rest = self.labels.get(from..).unwrap_or_default();
+        let count = rest.partition_point(|label| slice(text, label.name) == name);
+        rest.get(..count).unwrap_or_default()
+    }
+
+    /// The statement that a jump of this section leads to: a label, or a line number. A bare number is a line number
+    /// unless only a label of that name exists.
+    pub fn resolve(&self, text: &str, target: Target) -> Option<u32> {
+        match target {
+            Target::Label(name) => self.labels_named(text, slice(text, name)).first().map(|label| label.statement),
+            Target::Line(number, span) => {
+                let at = self.lines.partition_point(|line| line.number < number);
+                let line = self.lines.get(at).filter(|line| line.number == number);
+                line.map(|line| line.statement).or_else(|| self.resolve(text, Target::Label(span)))
+            }
+        }
+    }
+}
+
+fn slice(text: &str, span: Span) -> &str {
+    text.get(span.range()).unwrap_or_default()
+}

@@ -1,0 +1,33 @@
+//! The semantic layer: files and projects, program sections, symbols, and the facts that checks and editors ask for.
+//!
+//! [`project::load`] reads a project from disk, [`Database`] holds it together with what was derived from it, the
+//! functions of [`query`] and [`facts`] answer questions, and [`diagnostics`] runs a [`Checker`] on a file and
+//! remembers what it found until something that the file depends on changes.
+//!
+//! **Invariants.** No other crate knows salsa. Nothing here reads a disk except through [`project::Files`]. What one
+//! file sees of another never holds a place in its text.
+
+mod checker;
+mod db;
+mod environment;
+pub mod facts;
+pub mod index;
+mod input;
+mod near;
+pub mod project;
+pub mod query;
+mod role;
+mod symbols;
+pub mod walk;
+
+/// The codes of what [`project::LoadedProject::compile`] reports.
+pub use acrc_compile::codes as compile_codes;
+pub use checker::{Checker, FileContext};
+pub use db::{Database, Db};
+pub use environment::{AliasFact, DefinedIn, Environment};
+pub use index::{Exports, FileIndex, SectionIndex};
+pub use input::{Project, SourceFile};
+pub use near::nearest;
+pub use query::{diagnostics, parse};
+pub use role::FileRole;
+pub use symbols::{AliasSymbol, AxisTable, Conflict, Symbols, Taken};

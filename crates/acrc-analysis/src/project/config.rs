@@ -1,0 +1,130 @@
+//! `acrc.toml`: the description of a project.
+
+use std::time::Duration;
+
+use acrc_diagnostics::Severity;
+use acrc_syntax::units::Level;
+use camino::Utf8PathBuf;
+use serde::Deserialize;
+
+/// The file name of a project description.
+pub const CONFIG_NAME: &str = "acrc.toml";
+
+/// The contents of `acrc.toml`; every part may be missing.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// What the project is.
+    pub project: ProjectConfig,
+    /// How it is simulated.
+    pub sim: SimConfig,
+    /// How it is checked.
+    pub lint: LintConfig,
+}
+
+/// `[project]`
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub struct ProjectConfig {
+    /// Its name; the name of the directory when absent.
+    pub name: Option<String>,
+    /// The controller model, a name of the catalogue.
+    pub model: Option<String>,
+    /// The files in the order in which they are sent, relative to `acrc.toml`. Absent: found by their names.
+    pub files: Option<Vec<Utf8PathBuf>>,
+}
+
+/// `[sim]`
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub struct SimConfig {
+    /// Description of the machine around the controller, relative to `acrc.toml`.
+    pub world: Option<Utf8PathBuf>,
+    /// Programs that are started after the setup.
+    pub run: Option<Vec<RunTarget>>,
+    /// Length of a simulated run.
+    pub until: Option<SimTime>,
+}
+
+/// `[lint]`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub struct LintConfig {
+    /// The least severity that makes `acrc lint` fail; errors when absent.
+    pub fail_on: Option<FailOn>,
+}
+
+/// From which severity on a check counts as failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FailOn {
+    /// Errors only.
+    Error,
+    /// Errors and warnings.
+    Warning,
+    /// Every finding.
+    Advice,
+    /// Nothing.
+    Never,
+}
+
+impl FailOn {
+    /// Whether a finding of this severity makes the check fail.
+    pub fn fails(self, severity: Severity) -> bool {
+        match self {
+            Self::Error => severity >= Severity::Error,
+            Self::Warning => severity >= Severity::Warning,
+            Self::Advice => true,
+            Self::Never => false,
+        }
+    }
+}
+
+/// A program to start: `PROG0` .. `PROG15`, `PLC0` .. `PLC7`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct RunTarget(pub Level);
+
+impl TryFrom<String> for RunTarget {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        match crate::FileRole::of(&format!("{text}.8K")).start() {
+            Level::System => Err(format!("`{text}` is no program: expected PROG0 to PROG15 or PLC0 to PLC7")),
+            level => Ok(Self(level)),
+        }
+    }
+}
+
+/// A stretch of simulated time: `"60s"`, `"500ms"`, `"2min"`, `"1h"`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct SimTime(pub Duration);
+
+/// Units of [`SimTime`] in seconds; the longer suffix first where one ends like another.
+const TIME_UNITS: [(&str, f64); 4] = [("ms", 0.001), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
+
+impl TryFrom<String> for SimTime {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        TIME_UNITS
+            .iter()
+            .find_map(|(suffix, seconds)| {
+                let number: f64 = text.strip_suffix(suffix)?.trim_end().parse().ok()?;
+                (number >= 0.0).then_some(number * seconds)
+            })
+            .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
+            .map(Self)
+            .ok_or_else(|| {
+                format!(
+                    "`{text}` is no time: write a number and a unit, such as \"60s\", \"500ms\", \"2min\" or \"1h\""
+                )
+            })
+    }
+}
+
+/// Reads the text of an `acrc.toml`. The message of an error shows the line.
+pub(super) fn parse(text: &str) -> Result<Config, String> {
+    toml::from_str(text).map_err(|error| error.to_string().trim_end().to_owned())
+}

@@ -1,0 +1,114 @@
+//! Why a project could not be loaded.
+
+use std::io;
+
+use acrc_syntax::DecodeError;
+use camino::Utf8PathBuf;
+use thiserror::Error;
+
+use crate::FileRole;
+
+/// Why a project could not be loaded. Each names the path and what to do about it.
+#[derive(Debug, Error)]
+pub enum LoadError {
+    /// Nothing is there.
+    #[error("`{path}` does not exist")]
+    Missing {
+        /// As it was given.
+        path: Utf8PathBuf,
+    },
+    /// A directory in which nothing looks like a program.
+    #[error(
+        "`{directory}` holds no program: expected acrc.toml, or files named Setup.8K, Prog0.8K to Prog15.8K, \
+         PLC0.8K to PLC7.8K or any other *.8K"
+    )]
+    NoPrograms {
+        /// The directory that was searched.
+        directory: Utf8PathBuf,
+    },
+    /// The bytes are no text.
+    #[error("`{path}` can't be read as a program: {source}")]
+    Decode {
+        /// The file.
+        path: Utf8PathBuf,
+        /// What is wrong with its bytes.
+        source: DecodeError,
+    },
+    /// More than a text may have.
+    #[error("`{path}` has {len} bytes: a program text of more than {} MiB is not read", limit >> 20)]
+    TooLarge {
+        /// The file.
+        path: Utf8PathBuf,
+        /// Its length in bytes.
+        len: u64,
+        /// The most that is read, in bytes.
+        limit: u64,
+    },
+    /// A pipe, a device or the like.
+    #[error("`{path}` is neither a file nor a directory")]
+    NotAFile {
+        /// The path.
+        path: Utf8PathBuf,
+    },
+    /// The operating system refuses.
+    #[error("`{path}` can't be read: {source}")]
+    Unreadable {
+        /// The path.
+        path: Utf8PathBuf,
+        /// What the operating system says.
+        source: io::Error,
+    },
+    /// `acrc.toml` is not what it should be.
+    #[error("`{path}` is not a valid project description:\n{message}")]
+    Config {
+        /// The file.
+        path: Utf8PathBuf,
+        /// What is wrong, with the line.
+        message: String,
+    },
+    /// The model is not in the catalogue.
+    #[error("`{path}` names an unknown controller model `{model}`{}", did_you_mean(suggestion.as_deref(), known))]
+    UnknownModel {
+        /// The project description.
+        path: Utf8PathBuf,
+        /// The name as written.
+        model: String,
+        /// The nearest known name.
+        suggestion: Option<&'static str>,
+        /// All known names.
+        known: Vec<&'static str>,
+    },
+    /// A listed file is not there.
+    #[error("`{config}` lists `{file}`, which does not exist")]
+    ListedFileMissing {
+        /// The project description.
+        config: Utf8PathBuf,
+        /// The path as listed.
+        file: Utf8PathBuf,
+    },
+    /// A listed file lies outside of the project's directory, directly or through a symbolic link.
+    #[error("`{config}` lists `{file}`, which lies outside of the project")]
+    OutsideProject {
+        /// The project description.
+        config: Utf8PathBuf,
+        /// The path as listed.
+        file: Utf8PathBuf,
+    },
+    /// Two files would be the same program.
+    #[error("`{first}` and `{second}` are both {role}: keep one of them")]
+    TwoFiles {
+        /// What both are.
+        role: FileRole,
+        /// The file found first.
+        first: Utf8PathBuf,
+        /// The other.
+        second: Utf8PathBuf,
+    },
+}
+
+fn did_you_mean(suggestion: Option<&str>, known: &[&str]) -> String {
+    match suggestion {
+        Some(name) => format!(": did you mean `{name}`?"),
+        None => format!(": known are {}", known.join(", ")),
+    }
+}

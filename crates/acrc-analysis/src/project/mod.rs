@@ -1,0 +1,183 @@
+//! Loading a project from disk: which files it has, in which order they are sent, what each is.
+//!
+//! A project is given by a path to one of four things: a directory with an `acrc.toml`, that file itself, a directory
+//! with the files that the vendor's editor saves (`Setup.8K`, `ProgN.8K`, `PLCn.8K`), or a single file. What comes out
+//! is a pure description with the texts in it; nothing is read from disk later.
+
+mod config;
+mod discover;
+mod error;
+mod files;
+
+use acrc_catalog::Model;
+use acrc_compile::{CompileError, SourceUnit};
+use acrc_image::Image;
+use acrc_syntax::SourceText;
+use camino::{Utf8Path, Utf8PathBuf};
+
+pub use config::{CONFIG_NAME, Config, FailOn, LintConfig, ProjectConfig, RunTarget, SimConfig, SimTime};
+pub use error::LoadError;
+pub use files::{Disk, FileKind, Files};
+
+use crate::{Database, FileRole, Project, SourceFile};
+
+/// The most bytes that are read from one file.
+const FILE_LIMIT: u64 = acrc_syntax::MAX_BYTES as u64;
+
+/// A project as it was found.
+#[derive(Clone, Debug)]
+pub struct LoadedProject {
+    /// Its name.
+    pub name: String,
+    /// The controller model.
+    pub model: &'static Model,
+    /// The directory that the paths of the configuration are relative to.
+    pub root: Utf8PathBuf,
+    /// The configuration, empty when there is no `acrc.toml`.
+    pub config: Config,
+    /// The files in the order in which they are sent.
+    pub files: Vec<LoadedFile>,
+}
+
+/// One file of a project.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadedFile {
+    /// Its path as it is shown to the user.
+    pub path: Utf8PathBuf,
+    /// What it is to the project.
+    pub role: FileRole,
+    /// Its text.
+    pub source: SourceText,
+}
+
+/// Loads the project at `path` from disk.
+pub fn load(path: impl AsRef<Utf8Path>) -> Result<LoadedProject, LoadError> {
+    load_from(&Disk, path.as_ref())
+}
+
+/// Loads the project at `path` through `files`.
+pub fn load_from(files: &dyn Files, path: &Utf8Path) -> Result<LoadedProject, LoadError> {
+    match kind(files, path)? {
+        FileKind::Directory => {
+            let config = path.join(CONFIG_NAME);
+            match files.kind(&config) {
+                Ok(FileKind::File { .. }) => from_config(files, &config),
+                _ => from_paths(files, path, Config::default(), discover::in_directory(files, path)?),
+            }
+        }
+        FileKind::File { .. } if path.file_name() == Some(CONFIG_NAME) => from_config(files, path),
+        FileKind::File { .. } => {
+            let root = path.parent().unwrap_or(Utf8Path::new(""));
+            from_paths(files, root, Config::default(), vec![path.to_owned()])
+        }
+        FileKind::Other => Err(LoadError::NotAFile { path: path.to_owned() }),
+    }
+}
+
+fn from_config(files: &dyn Files, path: &Utf8Path) -> Result<LoadedProject, LoadError> {
+    let invalid = |message| LoadError::Config { path: path.to_owned(), message };
+    let bytes = read(files, path)?;
+    let text = String::from_utf8(bytes).map_err(|error| invalid(error.to_string()))?;
+    let config = config::parse(&text).map_err(invalid)?;
+
+    let root = path.parent().unwrap_or(Utf8Path::new(""));
+    let paths = match &config.project.files {
+        Some(listed) => discover::listed(files, path, root, listed)?,
+        None => discover::beside_config(files, root)?,
+    };
+    let model = config.project.model.as_deref().map_or(Ok(acrc_catalog::default_model()), |name| model(path, name))?;
+    Ok(LoadedProject { model, ..from_paths(files, root, config, paths)? })
+}
+
+/// Reads the files at `paths`. The model is the default one.
+fn from_paths(
+    files: &dyn Files,
+    root: &Utf8Path,
+    config: Config,
+    paths: Vec<Utf8PathBuf>,
+) -> Result<LoadedProject, LoadError> {
+    let sources = discover::with_roles(paths)?
+        .into_iter()
+        .map(|(role, path)| {
+            let bytes = read(files, &path)?;
+            let source =
+                SourceText::decode(&bytes).map_err(|source| LoadError::Decode { path: path.clone(), source })?;
+            Ok(LoadedFile { path, role, source })
+        })
+        .collect::<Result<Vec<_>, LoadError>>()?;
+    let name = config.project.name.clone().or_else(|| directory_name(files, root));
+    Ok(LoadedProject {
+        name: name.unwrap_or_else(|| "project".to_owned()),
+        model: acrc_catalog::default_model(),
+        root: root.to_owned(),
+        config,
+        files: sources,
+    })
+}
+
+/// The name of the directory `root`, which may be written as `.`.
+fn directory_name(files: &dyn Files, root: &Utf8Path) -> Option<String> {
+    let real = files.canonical(discover::here(root)).ok()?;
+    real.file_name().map(str::to_owned)
+}
+
+impl LoadedProject {
+    /// Hands the project to the database.
+    pub fn add_to(&self, db: &Database) -> Project {
+        let files = self.files.iter().map(|file| {
+            SourceFile::new(db, file.path.to_string(), file.source.text.clone(), file.role, file.source.diagnostics())
+        });
+        Project::new(db, files.collect(), self.model, self.config.clone())
+    }
+
+    /// Compiles the project into an image; every reason why it can't be is reported.
+    pub fn compile(&self) -> Result<Image, Vec<CompileError>> {
+        let trees: Vec<_> = self.files.iter().map(|file| acrc_syntax::parse(&file.source.text)).collect();
+        let units: Vec<_> = self
+            .files
+            .iter()
+            .zip(&trees)
+            .map(|(file, tree)| SourceUnit {
+                name: file.path.as_str(),
+                text: &file.source.text,
+                tree,
+                start: file.role.start(),
+                implicit_program: crate::index::is_implicit_program(file.role, tree),
+            })
+            .collect();
+        acrc_compile::compile(&units, self.model.name)
+    }
+}
+
+fn model(config: &Utf8Path, name: &str) -> Result<&'static Model, LoadError> {
+    acrc_catalog::model(name).ok_or_else(|| {
+        let known: Vec<_> = acrc_catalog::models().iter().map(|model| model.name).collect();
+        LoadError::UnknownModel {
+            path: config.to_owned(),
+            model: name.to_owned(),
+            suggestion: crate::near::nearest(&name.to_ascii_uppercase(), known.iter().copied()),
+            known,
+        }
+    })
+}
+
+fn kind(files: &dyn Files, path: &Utf8Path) -> Result<FileKind, LoadError> {
+    files.kind(path).map_err(|source| io_error(path, source))
+}
+
+fn read(files: &dyn Files, path: &Utf8Path) -> Result<Vec<u8>, LoadError> {
+    match kind(files, path)? {
+        FileKind::File { len } if len > FILE_LIMIT => {
+            Err(LoadError::TooLarge { path: path.to_owned(), len, limit: FILE_LIMIT })
+        }
+        FileKind::File { .. } => files.read(path).map_err(|source| io_error(path, source)),
+        FileKind::Directory | FileKind::Other => Err(LoadError::NotAFile { path: path.to_owned() }),
+    }
+}
+
+fn io_error(path: &Utf8Path, source: std::io::Error) -> LoadError {
+    match source.kind() {
+        std::io::ErrorKind::NotFound => LoadError::Missing { path: path.to_owned() },
+        _ => LoadError::Unreadable { path: path.to_owned(), source },
+    }
+}

@@ -1,0 +1,73 @@
+//! The derived facts that the database remembers, from the text of a file to the findings in it.
+//!
+//! ```text
+//! text ── parse ─┬─ index ───────────────────────────────┐
+//!                └─ exports ─ symbols ─ environment ─────┴─ diagnostics
+//! ```
+//!
+//! `exports` and `environment` are the two places where the effect of an edit ends: they hold no places in the text,
+//! and what is computed from them is computed again only when they really differ.
+
+use acrc_diagnostics::Diagnostic;
+use acrc_syntax::Tree;
+
+use crate::index::{self, Exports, FileIndex};
+use crate::{Checker, Db, Environment, FileContext, Project, SourceFile, Symbols};
+
+/// The tree of a file.
+#[salsa::tracked(returns(ref), no_eq)]
+pub fn parse(db: &dyn Db, file: SourceFile) -> Tree {
+    acrc_syntax::parse(file.text(db))
+}
+
+#[salsa::tracked(returns(ref), no_eq)]
+fn indexed(db: &dyn Db, file: SourceFile) -> (FileIndex, Exports) {
+    index::build(file.text(db), parse(db, file), file.role(db))
+}
+
+/// The index of a file, with places.
+pub fn file_index(db: &dyn Db, file: SourceFile) -> &FileIndex {
+    &indexed(db, file).0
+}
+
+/// What other files see of a file.
+#[salsa::tracked(returns(ref))]
+pub fn exports(db: &dyn Db, file: SourceFile) -> Exports {
+    indexed(db, file).1.clone()
+}
+
+/// The symbols of a project.
+#[salsa::tracked(returns(ref))]
+pub fn symbols(db: &dyn Db, project: Project) -> Symbols {
+    let files: Vec<_> = project.files(db).iter().map(|file| (file.role(db), exports(db, *file))).collect();
+    Symbols::new(&files)
+}
+
+/// What `file` needs to know of the rest of the project.
+#[salsa::tracked(returns(ref))]
+pub fn environment(db: &dyn Db, project: Project, file: SourceFile) -> Environment {
+    let files = project.files(db);
+    // A file that is not of the project sees its symbols, and nothing of them is its own.
+    let place = files.iter().position(|other| *other == file).unwrap_or(files.len());
+    let name_of = |place: u32| files.get(place as usize).map_or("", |file| file.name(db)).into();
+    Environment::new(place as u32, exports(db, file), symbols(db, project), name_of)
+}
+
+/// What `checker` finds in a file.
+#[salsa::tracked(returns(ref))]
+pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Checker) -> Vec<Diagnostic> {
+    let mut found = (checker.run)(&FileContext {
+        text: file.text(db),
+        tree: parse(db, file),
+        index: file_index(db, file),
+        environment: environment(db, project, file),
+        model: project.model(db),
+        model_is_given: project.config(db).project.model.is_some(),
+    });
+    found.extend_from_slice(file.encoding(db));
+    found.sort_by(|a, b| {
+        let place = (a.span.start, a.span.end).cmp(&(b.span.start, b.span.end));
+        place.then(b.severity.cmp(&a.severity)).then(a.code.cmp(&b.code)).then_with(|| a.message.cmp(&b.message))
+    });
+    found
+}

@@ -1,0 +1,210 @@
+//! What the files of a project know together: aliases, axis names by program, attachments in the order in which the
+//! setup makes them.
+
+use acrc_syntax::units::Level;
+use rustc_hash::FxHashMap;
+
+use crate::FileRole;
+use crate::index::{AliasOperand, Attachment, AttachmentKind, Exports, Name, Sequence};
+
+/// The symbols of a project.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Symbols {
+    /// The aliases by name, in the order of their first definition. Aliases are global (guide, "Aliases").
+    pub aliases: Vec<AliasSymbol>,
+    /// Position in `aliases` by name.
+    by_name: FxHashMap<Name, u32>,
+    /// Axis names by the level that they are valid at.
+    pub axes: Vec<(Level, AxisTable)>,
+    /// Attachments that contradict an earlier one, by file and by place in [`Exports::attachments`].
+    pub conflicts: Vec<Conflict>,
+    /// The files are a piece of code without its surroundings: one file that is not a setup and neither switches the
+    /// prompt nor attaches anything. Axis names that such a piece does not declare may well be declared elsewhere.
+    pub fragment: bool,
+    /// Nothing in the piece shows that it is complete: it holds no `PROGRAM` and defines no alias either.
+    pub excerpt: bool,
+}
+
+/// An alias of the project.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AliasSymbol {
+    /// Its name, case-sensitive.
+    pub name: Name,
+    /// What it stands for by its first definition.
+    pub operand: AliasOperand,
+    /// The file of the first definition, by its place in the project.
+    pub file: u32,
+    /// The definition's place in [`Exports::aliases`] of that file.
+    pub define: u32,
+}
+
+/// The axis names of one program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AxisTable {
+    /// Names in capital letters with the axis, in the order of the attachments.
+    pub names: Vec<(Name, Option<u32>)>,
+    /// Some attachment does not say its name as a text, so that there may be more names.
+    pub open: bool,
+}
+
+impl AxisTable {
+    /// Whether the program has an axis of this name, in any case.
+    pub fn has(&self, name: &str) -> bool {
+        self.names.iter().any(|(known, _)| known.eq_ignore_ascii_case(name))
+    }
+}
+
+/// An attachment that contradicts an earlier one that still stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Conflict {
+    /// The file, by its place in the project.
+    pub file: u32,
+    /// The attachment, by its place in [`Exports::attachments`].
+    pub attachment: u32,
+    /// What is taken.
+    pub taken: Taken,
+    /// The level of the earlier attachment.
+    pub level: Level,
+    /// Its slot.
+    pub slot: u32,
+    /// Its axis.
+    pub axis: u32,
+}
+
+/// What two attachments both want.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Taken {
+    /// The slot of the master.
+    Slot,
+    /// The axis; it may be attached once in the whole system.
+    Axis,
+    /// The axis name; it may be given once in a program.
+    Name,
+}
+
+impl Symbols {
+    /// Puts together what the files export. `files` are in the order of the project.
+    pub(crate) fn new(files: &[(FileRole, &Exports)]) -> Self {
+        let mut symbols = Self {
+            fragment: matches!(files, [(role, only)] if *role != FileRole::Setup && is_fragment(only)),
+            ..Self::default()
+        };
+        symbols.excerpt =
+            symbols.fragment && files.iter().all(|(_, only)| !only.has_program && only.aliases.is_empty());
+        for (file, (_, exports)) in (0..).zip(files) {
+            symbols.add_aliases(file, exports);
+            for attachment in &exports.attachments {
+                symbols.add_axis(attachment);
+            }
+        }
+        symbols.conflicts = conflicts(files);
+        symbols
+    }
+
+    /// The alias of this name.
+    pub fn alias(&self, name: &str) -> Option<&AliasSymbol> {
+        self.aliases.get(*self.by_name.get(name)? as usize)
+    }
+
+    /// The axis names that are valid at `level`. `None` when nothing attaches an axis there.
+    pub fn axes_at(&self, level: Level) -> Option<&AxisTable> {
+        self.axes.iter().find(|(at, _)| *at == level).map(|(_, table)| table)
+    }
+
+    fn add_aliases(&mut self, file: u32, exports: &Exports) {
+        for (define, (name, operand)) in (0..).zip(&exports.aliases) {
+            if !self.by_name.contains_key(name) {
+                self.by_name.insert(name.clone(), self.aliases.len() as u32);
+                self.aliases.push(AliasSymbol { name: name.clone(), operand: operand.clone(), file, define });
+            }
+        }
+    }
+
+    fn add_axis(&mut self, attachment: &Attachment) {
+        let AttachmentKind::Slave { axis, name, .. } = &attachment.kind else { return };
+        let place = self.axes.iter().position(|(level, _)| *level == attachment.level).unwrap_or_else(|| {
+            self.axes.push((attachment.level, AxisTable::default()));
+            self.axes.len() - 1
+        });
+        let Some((_, table)) = self.axes.get_mut(place) else { return };
+        match name {
+            Some(name) if table.has(name) => {}
+            Some(name) => table.names.push((name.clone(), *axis)),
+            None => table.open = true,
+        }
+    }
+}
+
+fn is_fragment(only: &Exports) -> bool {
+    !only.switches_level && only.attachments.is_empty()
+}
+
+/// An attachment that stands.
+struct Standing<'a> {
+    level: Level,
+    slot: u32,
+    axis: u32,
+    name: Option<&'a Name>,
+}
+
+/// Plays the attachments through in the order in which they happen. Conditional ones are left out: whether they
+/// happen is not known.
+fn conflicts(files: &[(FileRole, &Exports)]) -> Vec<Conflict> {
+    let mut conflicts = Vec::new();
+    let mut typed: Vec<Standing> = Vec::new();
+    for (file, (_, exports)) in (0..).zip(files) {
+        let mut stored: Vec<Standing> = Vec::new();
+        let mut current = Sequence::Immediate;
+        for (place, attachment) in (0..).zip(&exports.attachments) {
+            if attachment.sequence != current {
+                stored.clear();
+                current = attachment.sequence;
+            }
+            let standing = if current == Sequence::Immediate { &mut typed } else { &mut stored };
+            if let Some((taken, by)) = play(standing, attachment) {
+                conflicts.push(Conflict {
+                    file,
+                    attachment: place,
+                    taken,
+                    level: by.level,
+                    slot: by.slot,
+                    axis: by.axis,
+                });
+            }
+        }
+    }
+    conflicts
+}
+
+/// Applies one change; returns the earlier attachment that it contradicts.
+fn play<'s, 'a>(standing: &'s mut Vec<Standing<'a>>, change: &'a Attachment) -> Option<(Taken, &'s Standing<'a>)> {
+    match &change.kind {
+        AttachmentKind::DetachAll => standing.clear(),
+        // A conditional DETACH may have freed what is attached next.
+        AttachmentKind::Detach { slot, axis } => standing.retain(|other| {
+            other.level != change.level
+                || slot.is_some_and(|slot| slot != other.slot)
+                || axis.is_some_and(|axis| axis != other.axis)
+        }),
+        AttachmentKind::Slave { .. } if change.conditional => {}
+        AttachmentKind::Slave { slot: Some(slot), axis: Some(axis), name } => {
+            let same_program = |other: &Standing| other.level == change.level;
+            let taken = [
+                (Taken::Slot, standing.iter().position(|o| same_program(o) && o.slot == *slot)),
+                (Taken::Axis, standing.iter().position(|o| o.axis == *axis)),
+                (
+                    Taken::Name,
+                    standing.iter().position(|o| same_program(o) && name.is_some() && o.name == name.as_ref()),
+                ),
+            ];
+            for (taken, earlier) in taken {
+                if let Some(earlier) = earlier {
+                    return standing.get(earlier).map(|earlier| (taken, earlier));
+                }
+            }
+            standing.push(Standing { level: change.level, slot: *slot, axis: *axis, name: name.as_ref() });
+        }
+        AttachmentKind::Slave { .. } => {}
+    }
+    None
+}

@@ -1,0 +1,127 @@
+//! Pages of parameters and flags.
+
+use super::Sheet;
+use crate::{
+    Access, AddressLaw, BitInfo, BitRow, Known, ParameterInfo, ParameterRow, Space, all_bits, all_parameters,
+    flag_words,
+};
+
+pub(super) fn parameter(info: &ParameterInfo) -> String {
+    let name = format!("P{}", info.number);
+    let title = match info.known {
+        Known::Row => info.title,
+        Known::Range => "parameter of a known block, meaning unknown",
+        Known::Unknown => "unknown parameter",
+        Known::OutOfSpace => "no parameter of any controller",
+    };
+    let sheet = Sheet::new(&name, title)
+        .fact("field", info.field)
+        .fact("of", holder(info))
+        .fact("type", info.ty.map_or("", |ty| ty.name()))
+        .fact("access", access(info.access))
+        .fact("unit", info.unit)
+        .fact("law", info.row.map(|row| law("P", &row.law)).unwrap_or_default());
+    let sheet = match info.block {
+        Some(block) => sheet.fact("block", format!("P{}-P{} ({})", block.first, block.last, block.object)),
+        None => sheet,
+    };
+    close(sheet.fact("note", info.note), info.source, info.confidence)
+}
+
+pub(super) fn bit(info: &BitInfo) -> String {
+    let name = format!("BIT{}", info.number);
+    let title = match info.known {
+        Known::Row => info.title,
+        Known::Range => "flag of a known group, meaning unknown",
+        Known::Unknown => "unknown flag",
+        Known::OutOfSpace => "no flag of any controller",
+    };
+    let word = info.word.map(|word| format!("P{word}, bit {} (mask {})", info.index, mask(info.index)));
+    let sheet = Sheet::new(&name, title)
+        .fact("field", info.field)
+        .fact("of", owner(info.object, info.object_index, info.element))
+        .fact("kind", info.kind.map_or("", |kind| kind.name()))
+        .fact("access", access(info.access))
+        .fact("flag word", word.unwrap_or_default())
+        .fact("group", info.words.map_or("", |words| words.group))
+        .fact("law", info.row.map(|row| law("BIT", &row.law)).unwrap_or_default());
+    close(sheet.fact("note", info.note), info.source, info.confidence)
+}
+
+pub(super) fn parameter_field(row: &ParameterRow) -> String {
+    let laws: Vec<String> =
+        all_parameters().filter(|other| other.field == row.field).map(|row| law("P", &row.law)).collect();
+    Sheet::new(row.title, "parameter")
+        .list("also", row.also.iter().copied())
+        .fact("field", row.field)
+        .fact("of", row.object.name())
+        .fact("type", row.ty.map_or("", |ty| ty.name()))
+        .fact("access", access(row.access))
+        .fact("unit", row.unit)
+        .fact("law", laws.join("; "))
+        .fact("note", row.note)
+        .origin(row.source, row.confidence)
+}
+
+pub(super) fn bit_field(row: &BitRow) -> String {
+    let laws: Vec<String> =
+        all_bits().filter(|other| other.field == row.field).map(|row| law("BIT", &row.law)).collect();
+    Sheet::new(row.title, "flag")
+        .list("also", row.also.iter().copied())
+        .fact("field", row.field)
+        .fact("of", row.object.name())
+        .fact("kind", row.kind.name())
+        .fact("access", access(row.access))
+        .fact("law", laws.join("; "))
+        .fact("note", row.note)
+        .origin(row.source, row.confidence)
+}
+
+fn close(sheet: Sheet, source: &str, confidence: crate::Confidence) -> String {
+    if source.is_empty() { sheet.end() } else { sheet.origin(source, confidence) }
+}
+
+fn owner(object: Space, index: Option<u32>, element: Option<u32>) -> String {
+    match (object, index, element) {
+        (Space::Unknown, ..) => String::new(),
+        (_, None, None) => object.name().to_owned(),
+        (_, Some(index), None) => format!("{object} {index}"),
+        (_, None, Some(element)) => format!("{object}, number {element}"),
+        (_, Some(index), Some(element)) => format!("{object} {index}, number {element}"),
+    }
+}
+
+/// The owner of a parameter; for a flag word, that of the flags in it.
+fn holder(info: &ParameterInfo) -> String {
+    match flag_words(info.number) {
+        Some(words) if info.object == Space::Flags => {
+            let object = owner(words.object, info.object_index, None);
+            if object.is_empty() { words.group.to_owned() } else { format!("{object}: {}", words.group) }
+        }
+        _ => owner(info.object, info.object_index, info.element),
+    }
+}
+
+fn access(access: Access) -> &'static str {
+    match access {
+        Access::Unknown => "",
+        Access::Read | Access::ReadWrite => access.name(),
+    }
+}
+
+/// `P12290 + 256 n, n = 0 to 15`
+fn law(letter: &str, law: &AddressLaw) -> String {
+    if law.stride == 0 {
+        return format!("{letter}{}", law.first);
+    }
+    let offset =
+        if law.first_index > 0 && law.per_object == 1 { format!("(n - {})", law.first_index) } else { "n".to_owned() };
+    let from = if law.per_object == 1 { law.first_index } else { 0 };
+    let step = if law.stride == 1 { offset } else { format!("{} {offset}", law.stride) };
+    format!("{letter}{} + {step}, n = {from} to {}", law.first, from + law.count - 1)
+}
+
+fn mask(index: u32) -> i32 {
+    // Flag words are signed: bit 31 alone is the most negative long.
+    (1_u32 << (index % 32)).cast_signed()
+}

@@ -1,0 +1,68 @@
+//! One axis: scaling, drive state, position registers (guide, "Primary Setpoint" and "REN Details").
+//!
+//! In this machine model the plant is ideal: the actual position follows the setpoint at once, so the following error is zero. Positions are kept
+//! in programming units; the controller's registers in pulses are computed from them.
+
+/// State of one axis.
+#[derive(Clone, Debug)]
+pub(crate) struct Axis {
+    /// Pulses per programming unit (`PPU`).
+    pub(crate) pulses_per_unit: f64,
+    /// Coordinated position in units while no master has the axis as a slave.
+    pub(crate) rest_position: f64,
+    /// Where it is attached: master and slave slot.
+    pub(crate) slave: Option<SlaveSlot>,
+    /// The drive has been enabled at least once.
+    pub(crate) was_enabled: bool,
+    /// What a run reports of it.
+    pub(crate) statistics: AxisStatistics,
+}
+
+/// A slot of a master.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SlaveSlot {
+    pub(crate) master: u8,
+    pub(crate) slot: u8,
+}
+
+/// What an axis did during a run, in programming units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxisStatistics {
+    /// Distance travelled.
+    pub travel: f64,
+    /// Highest speed, units/s.
+    pub peak_velocity: f64,
+    /// Highest acceleration, units/s^2. Steps of velocity, where a ramp is 0, do not count.
+    pub peak_acceleration: f64,
+}
+
+impl Axis {
+    pub(crate) fn new() -> Self {
+        Self {
+            pulses_per_unit: 1.0,
+            rest_position: 0.0,
+            slave: None,
+            was_enabled: false,
+            statistics: AxisStatistics::default(),
+        }
+    }
+
+    /// Units as the whole pulses of a register.
+    pub(crate) fn pulses(&self, units: f64) -> i32 {
+        (units * self.pulses_per_unit).round() as i32
+    }
+
+    /// Pulses of a register as units.
+    pub(crate) fn units(&self, pulses: f64) -> f64 {
+        pulses / self.pulses_per_unit
+    }
+}
+
+impl AxisStatistics {
+    /// Takes in one tick of motion.
+    pub(crate) fn record(&mut self, from: f64, to: f64, velocity: f64, acceleration: f64) {
+        self.travel += (to - from).abs();
+        self.peak_velocity = self.peak_velocity.max(velocity.abs());
+        self.peak_acceleration = self.peak_acceleration.max(acceleration.abs());
+    }
+}

@@ -1,0 +1,153 @@
+//! Attachments: axis to hardware, program to master, axis to slave slot (guide, "Attachments").
+
+use acrc_catalog::{ObjectKind, command};
+use acrc_image::AxisName;
+use acrc_vm::{Arg, Call, Outcome, Value};
+
+use super::{Action, Context, Entry};
+use crate::axis::SlaveSlot;
+use crate::error::ControllerError;
+use crate::machine::{Attachment, Machine};
+use crate::master::{Master, SLOTS};
+
+pub(super) const COMMANDS: &[Entry] = &[
+    (command::ATTACH_AXIS, Action::Run(attach_axis)),
+    (command::ATTACH_MASTER, Action::Run(attach_master)),
+    (command::ATTACH_SLAVE, Action::Run(attach_slave)),
+    (command::DETACH, Action::Run(detach)),
+    (command::DETACH_ALL, Action::Run(detach_all)),
+];
+
+/// Which encoder and output an axis uses does not matter to an ideal machine; the axis must exist.
+fn attach_axis(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let index = object(call, 0, ObjectKind::Axis)?;
+    context.axis(index)?;
+    Ok(Outcome::Done)
+}
+
+fn attach_master(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let program = context.program(call)?;
+    let index = object(call, 0, ObjectKind::Master)?;
+    let master = Machine::object("MASTER", index, context.machine.model.masters)?;
+    let attached = |what: String, owner: String| ControllerError::AlreadyAttached { what, owner };
+    match context.machine.masters[usize::from(master)].program {
+        Some(owner) if owner != program => return Err(attached(format!("MASTER{master}"), format!("program {owner}"))),
+        _ => {}
+    }
+    let attachment = &mut context.machine.attachments[usize::from(program)];
+    match attachment.master {
+        Some(other) if other != master => return Err(attached(format!("program {program}"), format!("MASTER{other}"))),
+        _ => attachment.master = Some(master),
+    }
+    context.machine.masters[usize::from(master)].program = Some(program);
+    Ok(Outcome::Done)
+}
+
+fn attach_slave(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let program = context.program(call)?;
+    let master = context.machine.master_of(program)?;
+    let slot =
+        Machine::object("SLAVE", object(call, 0, ObjectKind::Slave)?, context.machine.model.slaves.min(SLOTS as u8))?;
+    let axis = context.axis(object(call, 1, ObjectKind::Axis)?)?;
+    let name = slave_name(call)?;
+    let machine = &mut *context.machine;
+    if let Some(owner) = machine.axes[usize::from(axis)].slave {
+        let owner = format!("SLAVE{} of MASTER{}", owner.slot, owner.master);
+        return Err(ControllerError::AlreadyAttached { what: format!("AXIS{axis}"), owner });
+    }
+    if let Some(other) = machine.masters[usize::from(master)].slots[usize::from(slot)] {
+        return Err(ControllerError::AlreadyAttached { what: format!("SLAVE{slot}"), owner: format!("AXIS{other}") });
+    }
+    let names = &machine.attachments[usize::from(program)].names;
+    if names.contains(&Some(name)) {
+        return Err(ControllerError::AlreadyAttached {
+            what: format!("the name {name}"),
+            owner: "another axis of this program".to_owned(),
+        });
+    }
+    let position = machine.position(axis);
+    let profiler = &mut machine.masters[usize::from(master)].profiler;
+    profiler.set_position(usize::from(slot), position).map_err(|_| ControllerError::InMotion)?;
+    machine.masters[usize::from(master)].slots[usize::from(slot)] = Some(axis);
+    machine.axes[usize::from(axis)].slave = Some(SlaveSlot { master, slot });
+    machine.attachments[usize::from(program)].names[usize::from(slot)] = Some(name);
+    Ok(Outcome::Done)
+}
+
+/// The name of `ATTACH SLAVE`, by the rules of the guide: one to four letters, not `P`, not `F`.
+fn slave_name(call: &Call) -> Result<AxisName, ControllerError> {
+    let command = call.command.info().name;
+    let Some(Arg::Value(Value::Text(text), _)) = call.arguments.get(2) else {
+        return Err(ControllerError::Expected { command, expected: "a name in quotes behind the axis" });
+    };
+    let text = text.to_string();
+    let refused =
+        |why: &str| ControllerError::BadValue { command, problem: format!("`{text}` is no axis name: {why}") };
+    if ["P", "F"].iter().any(|reserved| text.eq_ignore_ascii_case(reserved)) {
+        return Err(refused("P and F are reserved"));
+    }
+    text.parse::<AxisName>().map_err(|_| refused("it takes one to four letters"))
+}
+
+/// `DETACH` frees the master and slaves of the program, or one of them.
+fn detach(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let program = context.program(call)?;
+    match call.arguments {
+        [] => detach_program(context.machine, program),
+        [Arg::Object { kind: ObjectKind::Master, .. }] => detach_program(context.machine, program),
+        [Arg::Object { kind: ObjectKind::Slave, index: Some(slot), .. }] => {
+            let master = context.machine.master_of(program)?;
+            let slot = Machine::object("SLAVE", i64::from(*slot), SLOTS as u8)?;
+            detach_slot(context.machine, master, slot)
+        }
+        [Arg::Object { kind: ObjectKind::Axis, index: Some(axis), .. }] => {
+            let axis = context.axis(i64::from(*axis))?;
+            match context.machine.axes[usize::from(axis)].slave {
+                Some(slave) => detach_slot(context.machine, slave.master, slave.slot),
+                None => Ok(()),
+            }
+        }
+        _ => Err(ControllerError::Expected { command: "DETACH", expected: "MASTERn, SLAVEn, AXISn, ALL or nothing" }),
+    }?;
+    Ok(Outcome::Done)
+}
+
+fn detach_all(context: &mut Context, _: &Call) -> Result<Outcome, ControllerError> {
+    for program in 0..context.machine.model.programs {
+        detach_program(context.machine, program)?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn detach_program(machine: &mut Machine, program: u8) -> Result<(), ControllerError> {
+    let Some(master) = machine.attachments[usize::from(program)].master else { return Ok(()) };
+    for slot in 0..SLOTS as u8 {
+        detach_slot(machine, master, slot)?;
+    }
+    let statistics = machine.masters[usize::from(master)].statistics;
+    machine.masters[usize::from(master)] = Master { statistics, ..Master::new() };
+    machine.attachments[usize::from(program)] = Attachment::default();
+    Ok(())
+}
+
+fn detach_slot(machine: &mut Machine, master: u8, slot: u8) -> Result<(), ControllerError> {
+    let Some(axis) = machine.masters[usize::from(master)].slots[usize::from(slot)] else { return Ok(()) };
+    if machine.axis_in_motion(axis) {
+        return Err(ControllerError::InMotion);
+    }
+    machine.axes[usize::from(axis)].rest_position = machine.position(axis);
+    machine.axes[usize::from(axis)].slave = None;
+    let owner = machine.masters[usize::from(master)].program;
+    machine.masters[usize::from(master)].slots[usize::from(slot)] = None;
+    if let Some(program) = owner {
+        machine.attachments[usize::from(program)].names[usize::from(slot)] = None;
+    }
+    Ok(())
+}
+
+fn object(call: &Call, place: usize, expected: ObjectKind) -> Result<i64, ControllerError> {
+    match call.arguments.get(place) {
+        Some(Arg::Object { kind, index: Some(index), .. }) if *kind == expected => Ok(i64::from(*index)),
+        _ => Err(ControllerError::Expected { command: call.command.info().name, expected: expected.name() }),
+    }
+}

@@ -1,0 +1,94 @@
+//! The commands that the controller executes: one table from the catalogue's commands to what carries them out.
+//!
+//! A command that is in none of the tables is refused before a run starts ([`support`]), never skipped.
+
+mod arguments;
+mod attach;
+mod axis;
+mod io;
+mod logic;
+mod moves;
+mod profile;
+mod stored;
+mod system;
+
+use std::sync::LazyLock;
+
+use acrc_catalog::CommandId;
+use acrc_vm::{Call, Outcome};
+
+use crate::controller::Observer;
+use crate::error::ControllerError;
+use crate::machine::Machine;
+
+/// What a command handler works on.
+pub(crate) struct Context<'a> {
+    pub(crate) machine: &'a mut Machine,
+    /// The program that executes the command; `None` for setup code at the system prompt.
+    pub(crate) program: Option<u8>,
+    /// Tick at which the held command of this program goes on (`DWL`).
+    pub(crate) release: &'a mut Option<u64>,
+    pub(crate) observer: &'a mut dyn Observer,
+    /// The command is setup code, not part of a running program.
+    pub(crate) immediate: bool,
+}
+
+type Handler = fn(&mut Context, &Call) -> Result<Outcome, ControllerError>;
+
+/// How a command is executed.
+#[derive(Clone, Copy)]
+enum Action {
+    /// By a function.
+    Run(Handler),
+    /// It only matters to the real controller (saving, communication): nothing to do in a dry run.
+    Nothing,
+}
+
+/// One row of a table of commands.
+type Entry = (CommandId, Action);
+
+static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
+    let tables = [
+        attach::COMMANDS,
+        axis::COMMANDS,
+        io::COMMANDS,
+        logic::COMMANDS,
+        moves::COMMANDS,
+        profile::COMMANDS,
+        stored::COMMANDS,
+        system::COMMANDS,
+    ];
+    let mut table = vec![None; 1024];
+    for (command, action) in tables.into_iter().flatten() {
+        let place = &mut table[usize::from(command.0)];
+        debug_assert!(place.is_none(), "{} has two handlers", command.info().name);
+        *place = Some(*action);
+    }
+    table
+});
+
+/// Whether this controller executes a command itself. Program flow, assignments and local variables are the VM's business.
+pub(crate) fn supported(command: CommandId) -> bool {
+    action(command).is_some()
+}
+
+fn action(command: CommandId) -> Option<Action> {
+    TABLE.get(usize::from(command.0)).copied().flatten()
+}
+
+impl Context<'_> {
+    /// Executes one command.
+    pub(crate) fn execute(&mut self, call: &Call) -> Result<Outcome, ControllerError> {
+        match action(call.command) {
+            Some(Action::Run(handler)) => handler(self, call),
+            Some(Action::Nothing) => Ok(Outcome::Done),
+            None => Err(ControllerError::NotSimulated(call.command)),
+        }
+    }
+
+    /// The program, for commands that need one.
+    fn program(&self, call: &Call) -> Result<u8, ControllerError> {
+        self.program
+            .ok_or_else(|| ControllerError::WrongLevel { command: call.command.info().name, level: "SYS".to_owned() })
+    }
+}

@@ -1,0 +1,107 @@
+//! Velocity profile commands of a master (guide, "Velocity Profile Commands").
+
+use acrc_catalog::command;
+use acrc_motion::SettingError;
+use acrc_vm::{Call, Outcome};
+
+use super::arguments::scalar;
+use super::{Action, Context, Entry};
+use crate::error::ControllerError;
+use crate::master::Master;
+
+pub(super) const COMMANDS: &[Entry] = &[
+    (command::ACC, Action::Run(profile_value)),
+    (command::DEC, Action::Run(profile_value)),
+    (command::STP, Action::Run(profile_value)),
+    (command::VEL, Action::Run(profile_value)),
+    (command::F, Action::Run(profile_value)),
+    (command::FVEL, Action::Run(profile_value)),
+    (command::IVEL, Action::Run(profile_value)),
+    (command::JRK, Action::Run(profile_value)),
+    (command::TMOV, Action::Run(profile_value)),
+    (command::FOV, Action::Run(profile_value)),
+    (command::VECTOR, Action::Run(profile_value)),
+    (command::VECDEF, Action::Run(weights)),
+];
+
+/// Units per minute of `F` in the units per second of `VEL`.
+const SECONDS_PER_MINUTE: f64 = 60.0;
+
+fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let index = context.master(call)?;
+    let command = call.command.info().name;
+    let Some(value) = scalar(call)? else {
+        let value = current(&context.machine.masters[index], call);
+        context.report(value);
+        return Ok(Outcome::Done);
+    };
+    if value < 0.0 {
+        return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
+    }
+    let master = &mut context.machine.masters[index];
+    match call.command {
+        command::FOV => master.profiler.set_feedrate_override(value).map_err(refused)?,
+        command::VECTOR => {
+            master.profiler.set_vector(value).map_err(refused)?;
+            master.vector = value;
+        }
+        command::F => master.settings.velocity = value / SECONDS_PER_MINUTE,
+        _ => *setting(master, call) = value,
+    }
+    Ok(Outcome::Done)
+}
+
+fn current(master: &Master, call: &Call) -> f64 {
+    match call.command {
+        command::FOV => master.profiler.feedrate_override(),
+        command::VECTOR => master.vector,
+        command::F => master.settings.velocity * SECONDS_PER_MINUTE,
+        command::ACC => master.settings.acceleration,
+        command::DEC => master.settings.deceleration,
+        command::STP => master.settings.stop,
+        command::FVEL => master.settings.final_velocity,
+        command::IVEL => master.settings.initial_velocity,
+        command::JRK => master.settings.jerk,
+        command::TMOV => master.settings.time,
+        _ => master.settings.velocity,
+    }
+}
+
+fn setting<'m>(master: &'m mut Master, call: &Call) -> &'m mut f64 {
+    let settings = &mut master.settings;
+    match call.command {
+        command::ACC => &mut settings.acceleration,
+        command::DEC => &mut settings.deceleration,
+        command::STP => &mut settings.stop,
+        command::FVEL => &mut settings.final_velocity,
+        command::IVEL => &mut settings.initial_velocity,
+        command::JRK => &mut settings.jerk,
+        command::TMOV => &mut settings.time,
+        _ => &mut settings.velocity,
+    }
+}
+
+/// `VECDEF`: the weight of each axis in the length of the path.
+fn weights(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let command = call.command.info().name;
+    for argument in context.axes(call)? {
+        let slave = context.machine.axes[usize::from(argument.axis)].slave;
+        let slave =
+            slave.ok_or(ControllerError::Expected { command, expected: "axes that are attached to a master" })?;
+        let [weight] = argument.value.numbers(command)?[..] else {
+            return Err(ControllerError::Expected { command, expected: "one weight an axis" });
+        };
+        if weight < 0.0 {
+            return Err(ControllerError::BadValue { command, problem: format!("{weight} is negative") });
+        }
+        context.machine.masters[usize::from(slave.master)]
+            .profiler
+            .set_weight(usize::from(slave.slot), weight)
+            .map_err(refused)?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn refused(error: SettingError) -> ControllerError {
+    ControllerError::Move(error.to_string())
+}

@@ -1,0 +1,66 @@
+//! What an image asks for that this controller does not do; known before a run begins.
+
+use acrc_catalog::{CommandId, command};
+use acrc_image::{Image, Unit, UnitName};
+use thiserror::Error;
+
+use super::Controller;
+use crate::command::supported;
+
+/// A command in the image that the dry run does not execute.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{} is not simulated", .command.info().name)]
+pub struct Unsupported {
+    /// The command.
+    pub command: CommandId,
+    /// The unit.
+    pub unit: UnitName,
+    /// Source file, when known.
+    pub file: Option<String>,
+    /// Line, from 1, when known.
+    pub line: Option<u32>,
+}
+
+impl Controller {
+    /// The commands of setup code and of the given programs that this controller does not execute.
+    pub fn unsupported(image: &Image, programs: &[u8]) -> Vec<Unsupported> {
+        let wanted = |unit: &&Unit| matches!(unit.name, UnitName::Program(number) if programs.contains(&number));
+        let mut found = Vec::new();
+        for unit in std::iter::once(&image.boot).chain(image.programs.iter().filter(wanted)) {
+            for instruction in unit.decode().unwrap_or_default() {
+                if executed(instruction.command) {
+                    continue;
+                }
+                let place = unit.debug.as_ref().and_then(|debug| debug.locate(instruction.address));
+                found.push(Unsupported {
+                    command: instruction.command,
+                    unit: unit.name,
+                    file: place.and_then(|place| image.files.get(place.file as usize).cloned()),
+                    line: place.map(|place| place.line),
+                });
+            }
+        }
+        found
+    }
+
+    /// Programs whose first statement is `PBOOT`.
+    pub fn boot_programs(image: &Image) -> Vec<u8> {
+        let starts = |unit: &&Unit| {
+            let instructions = unit.decode().unwrap_or_default();
+            let first = instructions
+                .iter()
+                .find(|instruction| !matches!(instruction.command, command::REM | command::LINE_NUMBER));
+            first.is_some_and(|instruction| instruction.command == command::PBOOT)
+        };
+        let numbers = image.programs.iter().filter(starts).filter_map(|unit| match unit.name {
+            UnitName::Program(number) => Some(number),
+            UnitName::Boot | UnitName::Plc(_) => None,
+        });
+        numbers.collect()
+    }
+}
+
+/// Whether the controller or the VM executes a command.
+fn executed(command: CommandId) -> bool {
+    supported(command) || acrc_vm::executes(command)
+}

@@ -1,0 +1,105 @@
+//! The controller: boots an image and runs its programs in virtual time.
+
+mod check;
+mod observer;
+mod reports;
+mod requests;
+mod run;
+mod setup;
+mod view;
+
+use std::sync::Arc;
+
+use acrc_catalog::Model;
+use acrc_image::Image;
+use acrc_vm::{Code, Frame, Locals};
+
+pub use check::Unsupported;
+pub use observer::Observer;
+pub use run::Stopped;
+pub use view::View;
+
+use crate::machine::Machine;
+use crate::program::Program;
+use crate::report::FaultReport;
+use crate::scheduler::Scheduler;
+use crate::world::World;
+
+/// What a run is made with.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The scripted world.
+    pub world: World,
+    /// Seed of `RND`.
+    pub seed: u64,
+}
+
+/// A controller with an image.
+#[derive(Debug)]
+pub struct Controller {
+    machine: Machine,
+    programs: Vec<Program>,
+    scheduler: Scheduler,
+    image: Arc<Image>,
+    boot: Boot,
+    /// Events of the world that the observer has been told of.
+    reported_events: usize,
+    /// Counts what could end a program's waiting.
+    changes: u64,
+    faulted: bool,
+}
+
+/// Execution of the setup code.
+#[derive(Debug)]
+struct Boot {
+    code: Code,
+    frame: Frame,
+    /// Variables of statements at the system prompt, which has none.
+    locals: Locals,
+    release: Option<u64>,
+    done: bool,
+    waiting: bool,
+}
+
+impl Controller {
+    /// Powers a controller up with an image. Nothing is executed yet.
+    pub fn new(image: Arc<Image>, options: Options) -> Result<Self, acrc_vm::LoadError> {
+        let model = acrc_catalog::model(&image.model).unwrap_or_else(acrc_catalog::default_model);
+        let code = Code::load(&image.boot, &image.aliases)?;
+        let mut machine = Machine::new(model, options.world, options.seed);
+        machine.apply_events();
+        Ok(Self {
+            programs: (0..model.programs).map(|_| Program::new()).collect(),
+            scheduler: Scheduler::new(),
+            boot: Boot {
+                code,
+                frame: Frame::new(),
+                locals: Locals::new(0),
+                release: None,
+                done: false,
+                waiting: false,
+            },
+            machine,
+            image,
+            changes: 1,
+            faulted: false,
+            reported_events: 0,
+        })
+    }
+
+    /// The model that is simulated.
+    pub fn model(&self) -> &'static Model {
+        self.machine.model
+    }
+
+    fn fault_report(&self, program: Option<u8>, location: acrc_vm::Location, message: String) -> FaultReport {
+        FaultReport {
+            seconds: self.machine.clock.seconds(),
+            program,
+            file: location.source.and_then(|source| self.image.files.get(source.file as usize).cloned()),
+            line: Some(location.source_line()),
+            statement: location.statement,
+            message,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! What a controller tells about a run that is over.
+
+use super::{Controller, View};
+use crate::error::ControllerError;
+use crate::report::{AxisReport, MasterReport, ProgramReport};
+
+impl Controller {
+    /// Virtual time in seconds.
+    pub fn seconds(&self) -> f64 {
+        self.machine.clock.seconds()
+    }
+
+    /// Whether any run-time error has happened.
+    pub fn faulted(&self) -> bool {
+        self.faulted
+    }
+
+    /// A look at the controller now.
+    pub fn view(&self) -> View<'_> {
+        View { machine: &self.machine }
+    }
+
+    /// What the run left out or relied on without proof.
+    pub fn notes(&self) -> impl Iterator<Item = &str> {
+        self.machine.notes.iter().map(String::as_str)
+    }
+
+    /// The programs that have text.
+    pub fn programs(&self) -> Vec<ProgramReport> {
+        let stored = self
+            .programs
+            .iter()
+            .enumerate()
+            .filter_map(|(number, program)| Some((number, program, program.code.as_ref()?)));
+        stored
+            .map(|(number, program, code)| ProgramReport {
+                program: number as u8,
+                state: program.state,
+                line: Some(code.location(program.frame.pc()).source_line()),
+                statements: program.statements,
+            })
+            .collect()
+    }
+
+    /// The axes that some program has as slaves.
+    pub fn axes(&self) -> Vec<AxisReport> {
+        let view = self.view();
+        let attached = view.axes();
+        attached
+            .into_iter()
+            .map(|axis| {
+                let state = &self.machine.axes[usize::from(axis)];
+                AxisReport {
+                    axis,
+                    name: view.axis_name(axis),
+                    position: view.position(axis),
+                    statistics: state.statistics,
+                    moved_disabled: state.statistics.travel > 0.0 && !state.was_enabled,
+                }
+            })
+            .collect()
+    }
+
+    /// The masters that moved.
+    pub fn masters(&self) -> Vec<MasterReport> {
+        let moved = self.machine.masters.iter().enumerate().filter(|(_, master)| master.statistics.motion_ticks > 0);
+        moved
+            .map(|(number, master)| MasterReport {
+                master: number as u8,
+                statistics: master.statistics,
+                motion_seconds: master.statistics.motion_ticks as f64 * self.machine.clock.period(),
+            })
+            .collect()
+    }
+
+    /// The value of a parameter, as a program would read it.
+    pub fn parameter(&self, number: i64) -> Result<acrc_vm::Value, ControllerError> {
+        self.machine.read_parameter(number)
+    }
+
+    /// The state of a flag, as a program would read it.
+    pub fn bit(&self, number: i64) -> Result<bool, ControllerError> {
+        self.machine.read_bit(number)
+    }
+}

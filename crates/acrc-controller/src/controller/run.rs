@@ -1,0 +1,163 @@
+//! A run: setup code, then ticks and slices until it is over.
+
+use acrc_vm::{Budget, Stop};
+
+use super::{Controller, Observer, View};
+use crate::command::Context;
+use crate::machine::Request;
+use crate::program::{Program, State};
+
+/// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
+const LINES_PER_SLICE: u32 = 4;
+/// Quiet ticks that are shown to an observer before the run looks whether it is to end.
+const WATCHED_TICKS: u64 = 10_000;
+
+/// Why a run is over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stopped {
+    /// Every program has ended and nothing moves.
+    Ended,
+    /// The time given was reached.
+    Until,
+    /// The observer asked for it.
+    Interrupted,
+}
+
+impl Controller {
+    /// Boots, starts the given programs and runs until everything has ended, `until` seconds are over, or the observer ends the run.
+    pub fn run(&mut self, start: &[u8], until: f64, observer: &mut dyn Observer) -> Stopped {
+        let end = self.machine.clock.tick_at(until);
+        let mut started = false;
+        self.report_events(observer);
+        loop {
+            self.execute_setup(observer);
+            if self.boot.done && !started {
+                started = true;
+                start.iter().for_each(|program| self.apply(Request::Run(*program), observer));
+            }
+            if self.machine.clock.ticks() == 0 {
+                observer.tick(&self.view());
+            }
+            if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
+                self.slice(observer);
+            }
+            if self.is_over() {
+                return Stopped::Ended;
+            }
+            if self.machine.clock.ticks() >= end {
+                return Stopped::Until;
+            }
+            if observer.interrupted() {
+                return Stopped::Interrupted;
+            }
+            self.advance(end, observer);
+        }
+    }
+
+    /// Nothing runs and nothing moves.
+    fn is_over(&self) -> bool {
+        self.boot.done && !self.machine.in_motion() && !self.programs.iter().any(|program| program.state.is_active())
+    }
+
+    /// One tick, or as many as pass before anything can happen.
+    fn advance(&mut self, end: u64, observer: &mut dyn Observer) {
+        if let Some(tick) = self.quiet_until(end) {
+            self.skip_to(tick - 1, observer);
+        }
+        let moving = self.machine.in_motion();
+        self.machine.tick();
+        if self.report_events(observer) || moving {
+            self.changes += 1;
+        }
+        observer.tick(&View { machine: &self.machine });
+    }
+
+    /// Lets time pass up to a tick before which nothing happens. The slices on the way are given out, and nobody uses them.
+    fn skip_to(&mut self, tick: u64, observer: &mut dyn Observer) {
+        let now = self.machine.clock.ticks();
+        let watched = observer.watches_every_tick();
+        let tick = if watched { tick.min(now + WATCHED_TICKS) } else { tick };
+        if tick <= now {
+            return;
+        }
+        let slice = self.machine.clock.slice_ticks();
+        let running = self.running();
+        self.scheduler.skip(tick / slice - now / slice, &running);
+        if !watched {
+            self.machine.skip(tick - now);
+            return;
+        }
+        for _ in now..tick {
+            self.machine.skip(1);
+            observer.tick(&View { machine: &self.machine });
+        }
+    }
+
+    /// Tells the observer of the events that the machine has taken in. True when there were any.
+    fn report_events(&mut self, observer: &mut dyn Observer) -> bool {
+        let applied = self.machine.applied_events();
+        let new = applied > self.reported_events;
+        for event in &self.machine.world().events()[self.reported_events..applied] {
+            observer.event(self.machine.clock.seconds(), event, &View { machine: &self.machine });
+        }
+        self.reported_events = applied;
+        new
+    }
+
+    /// The tick before which nothing can change: no motion, and every program waits for a time or for something that does not happen.
+    fn quiet_until(&self, end: u64) -> Option<u64> {
+        let boot_waits = self.boot.done || (self.boot.waiting && self.boot.release.is_some());
+        let waits = |program: &Program| {
+            !program.state.is_active()
+                || program.state == State::Waiting && (program.release.is_some() || program.waited_at == self.changes)
+        };
+        if self.machine.in_motion() || !boot_waits || !self.programs.iter().all(waits) {
+            return None;
+        }
+        let releases =
+            self.programs.iter().filter(|program| program.state.is_active()).filter_map(|program| program.release);
+        releases.chain(self.boot.release).chain(self.machine.next_event_tick()).chain([end]).min()
+    }
+
+    fn running(&self) -> Vec<bool> {
+        self.programs.iter().map(|program| program.state.is_active()).collect()
+    }
+
+    /// Gives the next program its slice.
+    fn slice(&mut self, observer: &mut dyn Observer) {
+        let running = self.running();
+        let Some(number) = self.scheduler.next(&running) else { return };
+        let program = &mut self.programs[number];
+        let Some(code) = &program.code else { return };
+        let mut context = Context {
+            machine: &mut self.machine,
+            program: Some(number as u8),
+            release: &mut program.release,
+            observer,
+            immediate: false,
+        };
+        let run =
+            acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(LINES_PER_SLICE));
+        program.statements += u64::from(run.statements);
+        if run.statements > 0 {
+            self.changes += 1;
+        }
+        program.waited_at = self.changes;
+        program.state = match run.stop {
+            Stop::Budget => State::Running,
+            Stop::Blocked => State::Waiting,
+            Stop::Ended => State::Ended,
+            Stop::Fault(_) => State::Fault,
+        };
+        if run.stop != Stop::Blocked {
+            self.scheduler.pass_on(number, running.len());
+        }
+        if let Stop::Fault(fault) = &run.stop {
+            let location = code.location(fault.pc);
+            let report = self.fault_report(Some(number as u8), location, fault.to_string());
+            self.faulted = true;
+            observer.fault(&report);
+        }
+        self.apply_requests(observer);
+    }
+}

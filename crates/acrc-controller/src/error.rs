@@ -1,0 +1,142 @@
+//! What the controller refuses, with the texts of the controller where they are known (`docs/fidelity.md`, error texts).
+
+use acrc_catalog::CommandId;
+use acrc_vm::FaultKind;
+use thiserror::Error;
+
+/// Why a statement could not be executed.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ControllerError {
+    /// The controller's text for a block that has memory already.
+    #[error("Re-dimensioned block")]
+    Redimensioned,
+    /// A size that no block can have.
+    #[error("the size must be between 1 and {limit}")]
+    DimensionRange {
+        /// Largest size.
+        limit: i64,
+    },
+    /// The memory is used up.
+    #[error("out of memory: {needed} bytes are needed and {free} are free")]
+    OutOfMemory {
+        /// Bytes asked for.
+        needed: u32,
+        /// Bytes left.
+        free: u32,
+    },
+    /// A program does not fit its space.
+    #[error("program {program} needs {needed} bytes but DIM PROG{program} gives {available}")]
+    ProgramTooLarge {
+        /// The program.
+        program: u8,
+        /// Bytes of its text.
+        needed: u64,
+        /// Bytes of its space.
+        available: u64,
+    },
+    /// A user parameter without memory.
+    #[error("P{number} is outside DIM P({count})")]
+    UserParameter {
+        /// Its number.
+        number: i64,
+        /// How many there are.
+        count: usize,
+    },
+    /// A number that is no parameter of this controller.
+    #[error("P{0} is no parameter of this controller")]
+    UnknownParameter(i64),
+    /// A number that is no flag of this controller.
+    #[error("BIT{0} is no flag of this controller")]
+    UnknownBit(i64),
+    /// A parameter or flag that programs can only read.
+    #[error("{name} ({title}) is read-only")]
+    ReadOnly {
+        /// `P12291` or `BIT516`.
+        name: String,
+        /// What it is.
+        title: &'static str,
+    },
+    /// A number outside the objects of the model.
+    #[error("{object}{index} does not exist: this controller has {object}0 to {object}{last}")]
+    NoSuchObject {
+        /// `AXIS`, `MASTER`, ...
+        object: &'static str,
+        /// The number.
+        index: i64,
+        /// Highest number.
+        last: u8,
+    },
+    /// A motion statement in a program that has no master.
+    #[error("program {0} has no master: ATTACH MASTER comes first")]
+    NoMaster(u8),
+    /// An axis name that the program has not attached.
+    #[error("program {program} has no axis named {name}")]
+    UnknownAxis {
+        /// The program.
+        program: u8,
+        /// The name.
+        name: String,
+    },
+    /// Attachments that contradict those that exist.
+    #[error("{what} is attached already, to {owner}")]
+    AlreadyAttached {
+        /// `MASTER0`, `AXIS1`, `SLAVE0`.
+        what: String,
+        /// By whom.
+        owner: String,
+    },
+    /// A statement for another prompt level.
+    #[error("{command} is not possible at the {level} level")]
+    WrongLevel {
+        /// The command.
+        command: &'static str,
+        /// The level.
+        level: String,
+    },
+    /// A value outside what the command takes.
+    #[error("{command}: {problem}")]
+    BadValue {
+        /// The command.
+        command: &'static str,
+        /// What is wrong with the value, which is named.
+        problem: String,
+    },
+    /// An argument that is missing or of the wrong form.
+    #[error("{command} expects {expected}")]
+    Expected {
+        /// The command.
+        command: &'static str,
+        /// What it expects.
+        expected: &'static str,
+    },
+    /// The attached axes may not be touched now; the controller's text.
+    #[error("Not valid while in motion")]
+    InMotion,
+    /// A move while the master's Kill All Moves flag is set.
+    #[error("master {master} has its Kill All Moves flag set (BIT{bit}): it must be cleared before a move")]
+    Killed {
+        /// The master.
+        master: u8,
+        /// The flag.
+        bit: u32,
+    },
+    /// A move that the profiler refuses.
+    #[error("{0}")]
+    Move(String),
+    /// A command that this dry run does not execute.
+    #[error("{} is not simulated", .0.info().name)]
+    NotSimulated(CommandId),
+    /// A statement that the VM refuses.
+    #[error(transparent)]
+    Program(FaultKind),
+}
+
+impl From<ControllerError> for FaultKind {
+    fn from(error: ControllerError) -> Self {
+        match error {
+            ControllerError::Program(kind) => kind,
+            ControllerError::NotSimulated(command) => Self::Unsupported(command),
+            other => Self::Controller(other.to_string().into()),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The controller as the VM sees it.
+
+use acrc_vm::{Call, FaultKind, Host, Outcome, Value};
+
+use crate::command::Context;
+
+impl Host for Context<'_> {
+    fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> {
+        self.machine.read_parameter(number).map_err(FaultKind::from)
+    }
+
+    fn set_parameter(&mut self, number: i64, value: &Value) -> Result<(), FaultKind> {
+        self.machine.write_parameter(number, value).map_err(FaultKind::from)
+    }
+
+    fn bit(&mut self, number: i64) -> Result<bool, FaultKind> {
+        self.machine.read_bit(number).map_err(FaultKind::from)
+    }
+
+    fn set_bit(&mut self, number: i64, state: bool) -> Result<(), FaultKind> {
+        self.machine.write_bit(number, state).map_err(FaultKind::from)
+    }
+
+    fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind> {
+        self.execute(call).map_err(FaultKind::from)
+    }
+
+    /// A generator of its own for each run, so that a run can be repeated: splitmix64.
+    fn random(&mut self, below: u32) -> u32 {
+        self.machine.random = self.machine.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.machine.random;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^= mixed >> 31;
+        ((mixed >> 32) * u64::from(below) >> 32) as u32
+    }
+
+    /// Nobody types at the devices of a dry run.
+    fn take_character(&mut self, _: i32) -> Result<Option<u8>, FaultKind> {
+        Ok(None)
+    }
+
+    fn character_waits(&mut self, _: i32) -> Result<bool, FaultKind> {
+        Ok(false)
+    }
+}

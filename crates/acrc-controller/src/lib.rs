@@ -1,0 +1,32 @@
+//! A whole ACR controller in virtual time: memory, parameters and flags, attachments, masters, programs and their scheduler, and the world of
+//! scripted inputs around it.
+//!
+//! A [`Controller`] boots an image (`acrc_image`): it executes the setup code, installs the stored programs and runs them in the VM over the
+//! motion core. A run is a pure function of image, world and seed; nothing here reads a clock, a file or a socket.
+//!
+//! What is simulated and what is assumed is listed in `docs/fidelity.md`. A command outside of that is refused before a run starts
+//! ([`Controller::unsupported`]); it is never skipped.
+
+mod axis;
+mod command;
+mod controller;
+mod error;
+mod flags;
+mod host;
+mod machine;
+mod master;
+mod memory;
+mod program;
+mod registers;
+mod report;
+mod scheduler;
+mod settings;
+pub mod time;
+pub mod world;
+
+pub use axis::AxisStatistics;
+pub use controller::{Controller, Observer, Options, Stopped, Unsupported, View};
+pub use error::ControllerError;
+pub use master::MasterStatistics;
+pub use program::State;
+pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};

@@ -1,0 +1,322 @@
+//! Everything of the controller but the programs' text: memory, flags, axes, masters, attachments. One tick of it moves the machine on by a
+//! servo period.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use acrc_catalog::{Model, law};
+use acrc_image::AxisName;
+use acrc_motion::HoldState;
+use acrc_syntax::units::Level;
+use acrc_vm::Value;
+
+use crate::axis::{Axis, SlaveSlot};
+use crate::error::ControllerError;
+use crate::flags::Flags;
+use crate::master::{Master, SLOTS};
+use crate::memory::{Block, SystemMemory};
+use crate::settings::Settings;
+use crate::time::Clock;
+use crate::world::World;
+
+/// What a program asks of the scheduler; carried out when its statement is over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Request {
+    Run(u8),
+    Halt(u8),
+    Pause(u8),
+    Resume(u8),
+    /// Erase the text of a program.
+    New(u8),
+    /// Give the memory of all variables back (`CLEAR` at the system prompt).
+    ClearAllLocals,
+    /// Install stored text: index into the image's programs.
+    Install(usize),
+}
+
+/// The attachments and run state of one program, as other programs and flags see them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Attachment {
+    pub(crate) master: Option<u8>,
+    /// Names of the axes in the slots of its master.
+    pub(crate) names: [Option<AxisName>; SLOTS],
+}
+
+/// The controller without its programs.
+#[derive(Debug)]
+pub(crate) struct Machine {
+    pub(crate) model: &'static Model,
+    pub(crate) clock: Clock,
+    pub(crate) flags: Flags,
+    pub(crate) memory: SystemMemory,
+    pub(crate) settings: Settings,
+    /// Parameters without behaviour of their own, by number.
+    pub(crate) registers: BTreeMap<u32, Value>,
+    pub(crate) axes: Vec<Axis>,
+    pub(crate) masters: Vec<Master>,
+    pub(crate) attachments: Vec<Attachment>,
+    /// Count of each encoder beyond the actual position of the axis that it measures, in pulses.
+    pub(crate) encoder_offsets: Vec<i32>,
+    /// Tick at which the clock parameter was last set, and to what.
+    pub(crate) clock_base: (u64, i32),
+    /// The prompt level at which the setup code stands.
+    pub(crate) level: Level,
+    pub(crate) requests: Vec<Request>,
+    /// What the run relied on without proof, or left out; each said once.
+    pub(crate) notes: BTreeSet<String>,
+    pub(crate) random: u64,
+    world: World,
+    next_event: usize,
+}
+
+impl Machine {
+    pub(crate) fn new(model: &'static Model, world: World, seed: u64) -> Self {
+        let mut machine = Self {
+            model,
+            clock: Clock::new(model.servo_period),
+            flags: Flags::new(),
+            memory: SystemMemory::new(model),
+            settings: Settings::default(),
+            registers: BTreeMap::new(),
+            axes: (0..model.axes).map(|_| Axis::new()).collect(),
+            masters: (0..model.masters).map(|_| Master::new()).collect(),
+            attachments: vec![Attachment::default(); usize::from(model.programs)],
+            encoder_offsets: vec![0; usize::from(model.axes)],
+            clock_base: (0, 0),
+            level: Level::System,
+            requests: Vec::new(),
+            notes: BTreeSet::new(),
+            random: seed,
+            world,
+            next_event: 0,
+        };
+        for axis in 0..u32::from(model.axes) {
+            // An ideal machine has no following error, so every axis stays inside its error band.
+            machine.flags.set(law::NOT_EXCESS_ERROR.at(axis), true);
+        }
+        machine
+    }
+
+    /// The world it runs in.
+    pub(crate) fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Applies the events that are due at the present tick.
+    pub(crate) fn apply_events(&mut self) {
+        while let Some(event) = self.world.events().get(self.next_event) {
+            if self.clock.tick_at(event.at) > self.clock.ticks() {
+                break;
+            }
+            for bit in &event.set {
+                self.flags.set(*bit, true);
+            }
+            for bit in &event.clear {
+                self.flags.set(*bit, false);
+            }
+            self.next_event += 1;
+        }
+    }
+
+    /// How many scripted events have happened.
+    pub(crate) fn applied_events(&self) -> usize {
+        self.next_event
+    }
+
+    /// Tick of the next scripted event.
+    pub(crate) fn next_event_tick(&self) -> Option<u64> {
+        self.world.events().get(self.next_event).map(|event| self.clock.tick_at(event.at))
+    }
+
+    /// Whether any master moves.
+    pub(crate) fn in_motion(&self) -> bool {
+        self.masters.iter().any(|master| master.profiler.in_motion())
+    }
+
+    /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
+    pub(crate) fn tick(&mut self) {
+        self.clock.advance(1);
+        self.apply_events();
+        for index in 0..self.masters.len() {
+            if self.masters[index].profiler.in_motion() {
+                self.advance_master(index);
+            }
+        }
+    }
+
+    /// Moves time on by `ticks` in which nothing happens.
+    pub(crate) fn skip(&mut self, ticks: u64) {
+        self.clock.advance(ticks);
+        self.apply_events();
+    }
+
+    fn advance_master(&mut self, index: usize) {
+        let period = self.clock.period();
+        let master = &mut self.masters[index];
+        let mut from = [0.0; SLOTS];
+        for (slot, position) in from.iter_mut().enumerate() {
+            *position = master.profiler.position(slot);
+        }
+        let advanced = master.profiler.advance(period);
+        master.statistics.moves += u64::from(advanced.completed);
+        if advanced.stopped {
+            // Stop All Moves ends by setting Kill All Moves; a program that was halted leaves no such flag.
+            self.flags.set(law::KILL_ALL_MOVES.at(index as u32), master.stopping_kills);
+            master.stopping_kills = false;
+        }
+        if advanced.dropped_velocity > 0.0 {
+            self.notes.insert(format!(
+                "master {index}: a move ended at {} units/s with nothing to follow (STP 0), so its velocity dropped to zero at once",
+                rounded(advanced.dropped_velocity)
+            ));
+        }
+        master.statistics.motion_ticks += 1;
+        for (slot, axis) in master.attached() {
+            let profiler = &master.profiler;
+            let statistics = &mut self.axes[usize::from(axis)].statistics;
+            statistics.record(
+                from[slot],
+                profiler.position(slot),
+                profiler.velocity(slot),
+                profiler.acceleration(slot),
+            );
+        }
+        self.update_master_flags(index);
+    }
+
+    /// Brings the flags of a master in line with its profiler.
+    pub(crate) fn update_master_flags(&mut self, index: usize) {
+        let profiler = &self.masters[index].profiler;
+        let hold = profiler.hold_state();
+        let acceleration = profiler.vector_acceleration();
+        let states = [
+            (law::IN_MOTION, profiler.in_motion()),
+            (law::ACCELERATING, acceleration > 0.0),
+            (law::DECELERATING, acceleration < 0.0),
+            (law::FEEDHOLDING, hold == HoldState::Feedholding),
+            (law::IN_FEEDHOLD, hold == HoldState::InFeedhold),
+        ];
+        for (law, state) in states {
+            self.flags.set(law.at(index as u32), state);
+        }
+    }
+
+    /// Position of the coordinated profiler of an axis in units.
+    pub(crate) fn position(&self, axis: u8) -> f64 {
+        let state = &self.axes[usize::from(axis)];
+        match state.slave {
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.position(usize::from(slot)),
+            None => state.rest_position,
+        }
+    }
+
+    /// Where the coordinated moves given so far will leave an axis, in units.
+    pub(crate) fn target(&self, axis: u8) -> f64 {
+        match self.axes[usize::from(axis)].slave {
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.target(usize::from(slot)),
+            None => self.position(axis),
+        }
+    }
+
+    /// Velocity (units/s) and acceleration (units/s^2) of an axis.
+    pub(crate) fn motion(&self, axis: u8) -> (f64, f64) {
+        match self.axes[usize::from(axis)].slave {
+            Some(SlaveSlot { master, slot }) => {
+                let profiler = &self.masters[usize::from(master)].profiler;
+                (profiler.velocity(usize::from(slot)), profiler.acceleration(usize::from(slot)))
+            }
+            None => (0.0, 0.0),
+        }
+    }
+
+    /// Whether the master of an axis moves.
+    pub(crate) fn axis_in_motion(&self, axis: u8) -> bool {
+        self.axes[usize::from(axis)]
+            .slave
+            .is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
+    }
+
+    /// Gives an axis another position without moving it (`RES`, `PPU`).
+    pub(crate) fn set_position(&mut self, axis: u8, units: f64) -> Result<(), ControllerError> {
+        if self.axis_in_motion(axis) {
+            return Err(ControllerError::InMotion);
+        }
+        let state = &mut self.axes[usize::from(axis)];
+        match state.slave {
+            Some(SlaveSlot { master, slot }) => {
+                let profiler = &mut self.masters[usize::from(master)].profiler;
+                profiler
+                    .set_position(usize::from(slot), units)
+                    .map_err(|error| ControllerError::Move(error.to_string()))
+            }
+            None => {
+                state.rest_position = units;
+                Ok(())
+            }
+        }
+    }
+
+    /// Changes pulses per unit. The pulses of the registers stay, so the position in units changes.
+    pub(crate) fn set_pulses_per_unit(&mut self, axis: u8, ratio: f64) -> Result<(), ControllerError> {
+        let before = &self.axes[usize::from(axis)];
+        let position = self.position(axis) * before.pulses_per_unit / ratio;
+        self.set_position(axis, position)?;
+        self.axes[usize::from(axis)].pulses_per_unit = ratio;
+        Ok(())
+    }
+
+    /// The axis that a program knows by a name.
+    pub(crate) fn named_axis(&self, program: u8, name: AxisName) -> Result<u8, ControllerError> {
+        let unknown = || ControllerError::UnknownAxis { program, name: name.to_string() };
+        let attachment = self.attachments.get(usize::from(program)).ok_or_else(unknown)?;
+        let slot = attachment.names.iter().position(|entry| *entry == Some(name)).ok_or_else(unknown)?;
+        let master = self.master_of(program)?;
+        self.masters[usize::from(master)].slots[slot].ok_or_else(unknown)
+    }
+
+    /// The master of a program.
+    pub(crate) fn master_of(&self, program: u8) -> Result<u8, ControllerError> {
+        self.attachments
+            .get(usize::from(program))
+            .and_then(|attachment| attachment.master)
+            .ok_or(ControllerError::NoMaster(program))
+    }
+
+    /// The name that some program gives an axis.
+    pub(crate) fn axis_name(&self, axis: u8) -> Option<AxisName> {
+        let slave = self.axes[usize::from(axis)].slave?;
+        let program = self.masters[usize::from(slave.master)].program?;
+        self.attachments[usize::from(program)].names[usize::from(slave.slot)]
+    }
+
+    /// Drive enable of an axis.
+    pub(crate) fn set_drive(&mut self, axis: u8, enabled: bool) {
+        self.flags.set(law::DRIVE_ENABLE.at(u32::from(axis)), enabled);
+        self.axes[usize::from(axis)].was_enabled |= enabled;
+    }
+
+    /// Bytes that a program has for its text and its variables.
+    pub(crate) fn space(&self, program: u8) -> u64 {
+        self.memory.size(Block::Program(program)).map_or(0, u64::from)
+    }
+
+    /// Milliseconds of the free-running clock parameter.
+    pub(crate) fn clock_milliseconds(&self) -> i32 {
+        let (tick, value) = self.clock_base;
+        let elapsed = (self.clock.ticks() - tick) as f64 * self.clock.period() * 1000.0;
+        // Wraps to 0 at 2^31.
+        ((i64::from(value) + (elapsed + 1e-6) as i64) & 0x7fff_ffff) as i32
+    }
+
+    /// Checks an object number against the model.
+    pub(crate) fn object(object: &'static str, index: i64, count: u8) -> Result<u8, ControllerError> {
+        match u8::try_from(index) {
+            Ok(number) if number < count => Ok(number),
+            _ => Err(ControllerError::NoSuchObject { object, index, last: count.saturating_sub(1) }),
+        }
+    }
+}
+
+/// A value for a message, with no more digits than a person reads.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}

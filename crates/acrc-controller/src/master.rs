@@ -1,0 +1,55 @@
+//! One master: a coordinated-move profiler with its settings and slave slots (guide, "Master/Slave Attachments").
+
+use acrc_motion::{Master as Profiler, MoveSettings};
+
+/// Slave slots of a master.
+pub(crate) const SLOTS: usize = 16;
+/// Moves that may wait behind the running one without `DIM MBUF`.
+const QUEUE: usize = 1;
+
+/// State of one master.
+#[derive(Debug)]
+pub(crate) struct Master {
+    /// The profiler.
+    pub(crate) profiler: Profiler,
+    /// What the next move is made with.
+    pub(crate) settings: MoveSettings,
+    /// The stop under way was ordered by Stop All Moves, which ends in Kill All Moves.
+    pub(crate) stopping_kills: bool,
+    /// `VECTOR`.
+    pub(crate) vector: f64,
+    /// The program it is attached to.
+    pub(crate) program: Option<u8>,
+    /// The axis in each slot.
+    pub(crate) slots: [Option<u8>; SLOTS],
+    /// What a run reports of it.
+    pub(crate) statistics: MasterStatistics,
+}
+
+/// What a master did during a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MasterStatistics {
+    /// Moves that were completed.
+    pub moves: u64,
+    /// Ticks in motion.
+    pub motion_ticks: u64,
+}
+
+impl Master {
+    pub(crate) fn new() -> Self {
+        Self {
+            profiler: Profiler::new(QUEUE),
+            settings: MoveSettings::default(),
+            stopping_kills: false,
+            vector: 0.0,
+            program: None,
+            slots: [None; SLOTS],
+            statistics: MasterStatistics::default(),
+        }
+    }
+
+    /// The slots that hold an axis.
+    pub(crate) fn attached(&self) -> impl Iterator<Item = (usize, u8)> {
+        self.slots.iter().enumerate().filter_map(|(slot, axis)| axis.map(|axis| (slot, axis)))
+    }
+}

@@ -1,0 +1,159 @@
+//! System memory: what `DIM` at the `SYS` prompt has given to programs, user parameters and aliases (guide, "Memory Allocations").
+
+use std::collections::BTreeMap;
+
+use acrc_catalog::Model;
+
+use crate::error::ControllerError;
+
+/// Programs that share the program memory of a controller with factory settings.
+const DEFAULT_PROGRAMS: u8 = 8;
+/// Memory that a controller with factory settings gives to its programs, in bytes.
+const DEFAULT_PROGRAM_BYTES: u32 = 512 * 1024;
+/// Bytes of one user parameter, a 64-bit float.
+const USER_PARAMETER_BYTES: u32 = 8;
+/// Most user parameters that exist.
+const USER_PARAMETERS: u32 = 4096;
+/// Bytes of one alias.
+const ALIAS_BYTES: u32 = 48;
+/// Bytes that the alias table costs beside its entries.
+const ALIAS_TABLE_BYTES: u32 = 16;
+
+/// A block of system memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Block {
+    /// Text and variables of a program.
+    Program(u8),
+    /// Text and variables of a PLC.
+    Plc(u8),
+    /// User parameters.
+    Parameters,
+    /// The alias table.
+    Aliases,
+    /// The buffer of a communication stream, by a number of ours.
+    Stream(u8),
+}
+
+/// The system's memory map.
+#[derive(Clone, Debug)]
+pub(crate) struct SystemMemory {
+    total: u32,
+    blocks: BTreeMap<Block, u32>,
+    /// User parameters P0..; empty until `DIM P`.
+    user: Vec<f64>,
+}
+
+impl SystemMemory {
+    /// Factory settings: the programs 0-7 share 512K, nothing else has memory.
+    pub(crate) fn new(model: &Model) -> Self {
+        let share = DEFAULT_PROGRAM_BYTES / u32::from(DEFAULT_PROGRAMS);
+        let blocks =
+            (0..DEFAULT_PROGRAMS.min(model.programs)).map(|program| (Block::Program(program), share)).collect();
+        Self { total: model.user_memory.max(DEFAULT_PROGRAM_BYTES), blocks, user: Vec::new() }
+    }
+
+    /// `CLEAR` at the system prompt.
+    pub(crate) fn clear(&mut self) {
+        self.blocks.clear();
+        self.user.clear();
+    }
+
+    /// Gives a block its memory. `size` is bytes for programs, PLCs and streams, and a count for parameters and aliases.
+    pub(crate) fn dimension(&mut self, block: Block, size: i64) -> Result<(), ControllerError> {
+        if self.blocks.contains_key(&block) {
+            return Err(ControllerError::Redimensioned);
+        }
+        let limit = if block == Block::Parameters { i64::from(USER_PARAMETERS) } else { i64::from(self.total) };
+        let size = u32::try_from(size).ok().filter(|size| *size > 0 && i64::from(*size) <= limit);
+        let size = size.ok_or(ControllerError::DimensionRange { limit })?;
+        let bytes = match block {
+            Block::Parameters => size * USER_PARAMETER_BYTES,
+            Block::Aliases => size.saturating_mul(ALIAS_BYTES).saturating_add(ALIAS_TABLE_BYTES),
+            Block::Program(_) | Block::Plc(_) | Block::Stream(_) => size,
+        };
+        let free = self.free();
+        if bytes > free {
+            return Err(ControllerError::OutOfMemory { needed: bytes, free });
+        }
+        self.blocks.insert(block, bytes);
+        if block == Block::Parameters {
+            self.user = vec![0.0; size as usize];
+        }
+        Ok(())
+    }
+
+    /// Bytes of a block; `None` when it has no memory.
+    pub(crate) fn size(&self, block: Block) -> Option<u32> {
+        self.blocks.get(&block).copied()
+    }
+
+    /// Bytes that no block has.
+    pub(crate) fn free(&self) -> u32 {
+        self.total.saturating_sub(self.blocks.values().sum())
+    }
+
+    /// A user parameter.
+    pub(crate) fn user(&self, number: usize) -> Option<f64> {
+        self.user.get(number).copied()
+    }
+
+    /// The place of a user parameter.
+    pub(crate) fn user_mut(&mut self, number: usize) -> Option<&mut f64> {
+        self.user.get_mut(number)
+    }
+
+    /// How many user parameters there are.
+    pub(crate) fn user_count(&self) -> usize {
+        self.user.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn memory() -> SystemMemory {
+        SystemMemory::new(acrc_catalog::default_model())
+    }
+
+    #[test]
+    fn factory_settings_share_512k_between_eight_programs() {
+        let memory = memory();
+        assert_eq!(memory.size(Block::Program(0)), Some(65_536));
+        assert_eq!(memory.size(Block::Program(7)), Some(65_536));
+        assert_eq!(memory.size(Block::Program(8)), None);
+        assert_eq!(memory.user(0), None);
+    }
+
+    #[test]
+    fn a_block_is_dimensioned_once_until_it_is_cleared() {
+        let mut memory = memory();
+        assert!(matches!(memory.dimension(Block::Program(0), 100), Err(ControllerError::Redimensioned)));
+        memory.clear();
+        memory.dimension(Block::Program(0), 8192).expect("free");
+        memory.dimension(Block::Parameters, 100).expect("free");
+        assert_eq!(memory.size(Block::Parameters), Some(800));
+        assert_eq!((memory.user(99), memory.user(100)), (Some(0.0), None));
+        memory.dimension(Block::Aliases, 50).expect("free");
+        assert_eq!(memory.size(Block::Aliases), Some(2416));
+    }
+
+    #[test]
+    fn sizes_outside_the_memory_are_refused() {
+        let mut memory = memory();
+        memory.clear();
+        for size in [0, -1, 4097] {
+            assert!(matches!(
+                memory.dimension(Block::Parameters, size),
+                Err(ControllerError::DimensionRange { limit: 4096 })
+            ));
+        }
+        let all = i64::from(memory.free());
+        assert!(memory.dimension(Block::Program(0), all + 1).is_err());
+        memory.dimension(Block::Program(0), all).expect("exactly all");
+        assert!(matches!(
+            memory.dimension(Block::Program(1), 1),
+            Err(ControllerError::OutOfMemory { needed: 1, free: 0 })
+        ));
+    }
+}

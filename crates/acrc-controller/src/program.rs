@@ -1,0 +1,91 @@
+//! One program slot: stored text, variables, place of execution.
+
+use acrc_vm::{Code, Frame, Locals};
+
+/// Where a program is in its life.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum State {
+    /// Has not been started.
+    #[default]
+    Idle,
+    /// Runs.
+    Running,
+    /// Runs, and waits at its present statement (`DWL`, `INH`, a move that finds the queue full).
+    Waiting,
+    /// Suspended by `PAUSE`.
+    Paused,
+    /// Reached its end, or was halted.
+    Ended,
+    /// Stopped at a run-time error.
+    Fault,
+}
+
+impl State {
+    /// The word of the reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Idle => "idle",
+            Self::Running => "running",
+            Self::Waiting => "waiting",
+            Self::Paused => "paused",
+            Self::Ended => "ended",
+            Self::Fault => "fault",
+        }
+    }
+
+    /// The scheduler gives it slices.
+    pub(crate) fn is_active(self) -> bool {
+        matches!(self, Self::Running | Self::Waiting)
+    }
+}
+
+/// A program slot.
+#[derive(Debug)]
+pub(crate) struct Program {
+    /// Bytes of its stored text.
+    pub(crate) text_bytes: u64,
+    /// Its stored text, decoded.
+    pub(crate) code: Option<Code>,
+    pub(crate) frame: Frame,
+    pub(crate) locals: Locals,
+    pub(crate) state: State,
+    /// Tick at which its dwell ends.
+    pub(crate) release: Option<u64>,
+    /// The machine's count of changes when the program last found that it must wait.
+    pub(crate) waited_at: u64,
+    pub(crate) statements: u64,
+}
+
+impl Program {
+    /// An empty slot.
+    pub(crate) fn new() -> Self {
+        Self {
+            text_bytes: 0,
+            code: None,
+            frame: Frame::new(),
+            locals: Locals::new(0),
+            state: State::Idle,
+            release: None,
+            waited_at: 0,
+            statements: 0,
+        }
+    }
+
+    /// Gives its variables what its space has left beside its text.
+    pub(crate) fn set_space(&mut self, bytes: u64) {
+        self.locals.set_limit(bytes.saturating_sub(self.text_bytes));
+    }
+
+    /// Starts it at its first statement.
+    pub(crate) fn start(&mut self) {
+        self.frame.reset();
+        self.release = None;
+        self.state = State::Running;
+    }
+
+    /// Stops it for good.
+    pub(crate) fn stop(&mut self, state: State) {
+        self.release = None;
+        self.state = state;
+    }
+}

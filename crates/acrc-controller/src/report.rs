@@ -1,0 +1,79 @@
+//! What a run reports.
+
+use std::fmt;
+
+use crate::axis::AxisStatistics;
+use crate::master::MasterStatistics;
+use crate::program::State;
+
+/// A run-time error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FaultReport {
+    /// Virtual time in seconds.
+    pub seconds: f64,
+    /// The program; `None` for setup code.
+    pub program: Option<u8>,
+    /// Source file, when the image knows it.
+    pub file: Option<String>,
+    /// Line of the file, or of the stored program when the image has no debug section; from 1.
+    pub line: Option<u32>,
+    /// Statement within the line, from 1.
+    pub statement: u32,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl fmt::Display for FaultReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.program {
+            Some(program) => write!(f, "PROG{program}")?,
+            None => f.write_str("setup")?,
+        }
+        if let Some(file) = &self.file {
+            write!(f, " {file}")?;
+        }
+        if let Some(line) = self.line {
+            write!(f, " line {line}")?;
+        }
+        write!(f, " statement {}: {}", self.statement, self.message)
+    }
+}
+
+/// State of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProgramReport {
+    /// Its number.
+    pub program: u8,
+    /// Where it is in its life.
+    pub state: State,
+    /// Line of its next statement, from 1; the last one when it has ended.
+    pub line: Option<u32>,
+    /// Statements executed.
+    pub statements: u64,
+}
+
+/// What an axis did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisReport {
+    /// Its number.
+    pub axis: u8,
+    /// Its name in the program that has it as a slave.
+    pub name: Option<String>,
+    /// Position in units.
+    pub position: f64,
+    /// Travel and peaks.
+    pub statistics: AxisStatistics,
+    /// It moved although its drive was never enabled.
+    pub moved_disabled: bool,
+}
+
+/// What a master did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MasterReport {
+    /// Its number.
+    pub master: u8,
+    /// Moves completed and ticks in motion.
+    pub statistics: MasterStatistics,
+    /// Time in motion in seconds.
+    pub motion_seconds: f64,
+}

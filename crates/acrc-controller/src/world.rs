@@ -1,0 +1,244 @@
+//! The machine around the controller, as far as a dry run needs one: named inputs and a timeline of what happens to them.
+//!
+//! Described by a `world.toml`:
+//!
+//! ```toml
+//! [inputs]
+//! light_curtain = 10          # a name for onboard input 10
+//!
+//! [[event]]
+//! at = "2.5s"                 # virtual time; a plain number is seconds
+//! set = ["light_curtain", 3]  # inputs that come on
+//! clear = [4]                 # inputs that go off
+//! note = "operator reaches in" # shown in plots
+//! ```
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use thiserror::Error;
+
+use crate::time::parse_duration;
+
+/// Number of onboard inputs that a world may drive (bits 0-31).
+const INPUTS: u32 = 32;
+
+/// A scripted change of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldEvent {
+    /// Virtual time in seconds.
+    pub at: f64,
+    /// Input bits that come on.
+    pub set: Vec<u32>,
+    /// Input bits that go off.
+    pub clear: Vec<u32>,
+    /// What it stands for, for people.
+    pub note: Option<String>,
+}
+
+/// The world of one run: names of inputs and events in order of time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct World {
+    inputs: BTreeMap<String, u32>,
+    events: Vec<WorldEvent>,
+}
+
+/// A `world.toml` that cannot be used.
+#[derive(Debug, Error)]
+pub enum WorldError {
+    /// Not TOML, or a key that is unknown or of the wrong type.
+    #[error("{0}")]
+    Toml(#[from] Box<toml::de::Error>),
+    /// A time that cannot be read.
+    #[error("event {event}: {source}")]
+    Time {
+        /// Position in the file, from 1.
+        event: usize,
+        /// Why.
+        source: crate::time::DurationError,
+    },
+    /// A time that no run reaches.
+    #[error("event {event}: a time of {at} seconds is not possible")]
+    Unreachable {
+        /// Position in the file, from 1.
+        event: usize,
+        /// The time.
+        at: f64,
+    },
+    /// A name that `[inputs]` does not give.
+    #[error("event {event}: no input is named `{name}`; `[inputs]` names {known}")]
+    UnknownInput {
+        /// Position in the file, from 1.
+        event: usize,
+        /// The name.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// A number that is no onboard input.
+    #[error("{place}: {number} is no onboard input: they are bits 0 to 31")]
+    NotAnInput {
+        /// Where.
+        place: String,
+        /// The number.
+        number: i64,
+    },
+    /// An event with nothing in it.
+    #[error("event {event}: it changes no input: give `set` or `clear`")]
+    Empty {
+        /// Position in the file, from 1.
+        event: usize,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WorldFile {
+    #[serde(default)]
+    inputs: BTreeMap<String, i64>,
+    #[serde(default)]
+    event: Vec<EventFile>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EventFile {
+    at: TimeFile,
+    #[serde(default)]
+    set: Vec<InputFile>,
+    #[serde(default)]
+    clear: Vec<InputFile>,
+    note: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "expected a number of seconds or a text such as \"2.5s\"")]
+enum TimeFile {
+    Seconds(f64),
+    Text(String),
+}
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "expected the number or the name of an input")]
+enum InputFile {
+    Number(i64),
+    Name(String),
+}
+
+impl World {
+    /// Reads the text of a `world.toml`.
+    pub fn parse(text: &str) -> Result<Self, WorldError> {
+        let file: WorldFile = toml::from_str(text).map_err(Box::new)?;
+        let mut inputs = BTreeMap::new();
+        for (name, number) in file.inputs {
+            let bit = onboard(number, || format!("input `{name}`"))?;
+            inputs.insert(name, bit);
+        }
+        let mut events = Vec::with_capacity(file.event.len());
+        for (index, event) in file.event.iter().enumerate() {
+            events.push(read_event(index + 1, event, &inputs)?);
+        }
+        // Events of the same time keep the order of the file.
+        events.sort_by(|left, right| left.at.total_cmp(&right.at));
+        Ok(Self { inputs, events })
+    }
+
+    /// The events in order of time.
+    pub fn events(&self) -> &[WorldEvent] {
+        &self.events
+    }
+
+    /// The names given to inputs.
+    pub fn inputs(&self) -> impl Iterator<Item = (&str, u32)> {
+        self.inputs.iter().map(|(name, bit)| (name.as_str(), *bit))
+    }
+
+    /// The name of an input bit.
+    pub fn input_name(&self, bit: u32) -> Option<&str> {
+        self.inputs().find(|(_, number)| *number == bit).map(|(name, _)| name)
+    }
+
+    /// Every input that an event changes, ascending.
+    pub fn driven_inputs(&self) -> Vec<u32> {
+        let mut bits: Vec<u32> =
+            self.events.iter().flat_map(|event| event.set.iter().chain(&event.clear).copied()).collect();
+        bits.sort_unstable();
+        bits.dedup();
+        bits
+    }
+}
+
+fn onboard(number: i64, place: impl FnOnce() -> String) -> Result<u32, WorldError> {
+    match u32::try_from(number) {
+        Ok(bit) if bit < INPUTS => Ok(bit),
+        _ => Err(WorldError::NotAnInput { place: place(), number }),
+    }
+}
+
+fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) -> Result<WorldEvent, WorldError> {
+    let at = match &file.at {
+        TimeFile::Seconds(seconds) => *seconds,
+        TimeFile::Text(text) => parse_duration(text).map_err(|source| WorldError::Time { event, source })?,
+    };
+    if !(at.is_finite() && (0.0..=1e9).contains(&at)) {
+        return Err(WorldError::Unreachable { event, at });
+    }
+    if file.set.is_empty() && file.clear.is_empty() {
+        return Err(WorldError::Empty { event });
+    }
+    let resolve = |list: &[InputFile]| {
+        list.iter().map(|input| resolve_input(event, input, inputs)).collect::<Result<Vec<_>, _>>()
+    };
+    Ok(WorldEvent { at, set: resolve(&file.set)?, clear: resolve(&file.clear)?, note: file.note.clone() })
+}
+
+fn resolve_input(event: usize, input: &InputFile, inputs: &BTreeMap<String, u32>) -> Result<u32, WorldError> {
+    match input {
+        InputFile::Number(number) => onboard(*number, || format!("event {event}")),
+        InputFile::Name(name) => inputs.get(name).copied().ok_or_else(|| WorldError::UnknownInput {
+            event,
+            name: name.clone(),
+            known: match inputs.len() {
+                0 => "none".to_owned(),
+                _ => inputs.keys().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "),
+            },
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn events_are_sorted_and_names_resolved() {
+        let world = World::parse(
+            "[inputs]\ncurtain = 10\n[[event]]\nat = 3\nclear = [\"curtain\"]\n[[event]]\nat = \"1500ms\"\nset = [\"curtain\", 4]\nnote = \"hand\"\n",
+        )
+        .expect("a valid world");
+        assert_eq!(
+            world.events()[0],
+            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], note: Some("hand".to_owned()) }
+        );
+        assert_eq!(world.events()[1].at, 3.0);
+        assert_eq!(world.driven_inputs(), [4, 10]);
+        assert_eq!(world.input_name(10), Some("curtain"));
+    }
+
+    #[test]
+    fn every_bad_world_says_what_is_wrong() {
+        for (text, expected) in [
+            ("[[event]]\nat = 1\nset = [\"door\"]", "event 1: no input is named `door`; `[inputs]` names none"),
+            ("[[event]]\nat = 1\nset = [32]", "event 1: 32 is no onboard input: they are bits 0 to 31"),
+            ("[inputs]\ndoor = -1", "input `door`: -1 is no onboard input: they are bits 0 to 31"),
+            ("[[event]]\nat = \"soon\"\nset = [1]", "event 1: `soon` is no duration"),
+            ("[[event]]\nat = -1.0\nset = [1]", "event 1: a time of -1 seconds is not possible"),
+            ("[[event]]\nat = 1", "event 1: it changes no input"),
+            ("[[event]]\nat = true\nset = [1]", "expected a number of seconds"),
+            ("[[evnt]]\nat = 1", "unknown field `evnt`"),
+        ] {
+            let message = World::parse(text).expect_err(text).to_string();
+            assert!(message.contains(expected), "{text}\n{message}");
+        }
+    }
+}

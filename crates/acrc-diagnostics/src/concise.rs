@@ -1,0 +1,25 @@
+//! One line a finding: `file:line:column: severity[code] message`.
+
+use std::io::{self, Write};
+
+use crate::FileReport;
+use crate::plain::plain_line;
+
+/// Writes every finding of every file as one line, in the order of `reports`.
+pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
+    for report in reports {
+        let file = report.file();
+        for diagnostic in report.diagnostics() {
+            writeln!(
+                out,
+                "{}:{}: {}[{}] {}",
+                file.name,
+                file.position(diagnostic.span.start),
+                diagnostic.severity,
+                diagnostic.code,
+                plain_line(&diagnostic.message),
+            )?;
+        }
+    }
+    Ok(())
+}

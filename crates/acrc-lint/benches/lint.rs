@@ -1,0 +1,104 @@
+//! How fast a project is linted: 1,000 files of 10 KB, cold and after an edit.
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+
+use acrc_analysis::project::Config;
+use acrc_analysis::{Database, FileRole, Project, SourceFile};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+
+const FILES: usize = 1000;
+const FILE_BYTES: usize = 10 << 10;
+
+/// The setup of the generated project: aliases and axes for sixteen programs.
+fn setup() -> String {
+    let mut text = String::from("SYS\nDIM DEF(60)\nDIM P(200)\n");
+    for letter in 'A'..='Z' {
+        let number = u32::from(letter) - u32::from('A');
+        let _ = writeln!(text, "#DEFINE Clamp{letter} BIT{}\n#DEFINE Count{letter} P{number}", 32 + number);
+    }
+    for program in 0..8 {
+        let _ = writeln!(text, "PROG{program}\nATTACH MASTER{program}\nATTACH SLAVE0 AXIS{program} \"X\"");
+        let _ = writeln!(text, "ACC 100 DEC 100 STP 100 VEL 25");
+    }
+    text
+}
+
+/// A program of about `FILE_BYTES` bytes with the mixture of statements that machine programs have.
+fn program(number: usize) -> String {
+    let mut text = format!("PROG{}\nPROGRAM\nGOSUB Step0\nEND\n", number % 8);
+    let mut step = 0;
+    while text.len() < FILE_BYTES {
+        let letter = char::from(b'A' + (step % 26) as u8);
+        let _ = write!(
+            text,
+            "REM --- station {step} ---\n_Step{step}\nX/{step}.5 : REM to the station\nINH -516\nSET Clamp{letter}\n\
+             DWL 0.25\nCLR Clamp{letter} : SET {}\nCount{letter} = Count{letter} + 1\n\
+             IF (Count{letter} > 100) THEN PRINT \"station {step} is full\" : GOTO Full{step}\n\
+             IF ((BIT {} AND NOT BIT 5) OR P{} <= 1.5)\n    P{} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    JOG VEL X25\nENDIF\n\
+             WHILE (P{} < 10)\n    P{} = P{} + 1\nWEND\n_Full{step}\nRETURN\n\n",
+            40 + step % 24,
+            step % 24,
+            step % 100,
+            step % 100,
+            step % 50,
+            step % 50,
+            step % 50,
+        );
+        step += 1;
+    }
+    text.push_str("ENDP\n");
+    text
+}
+
+fn generate() -> Vec<(String, String)> {
+    let programs = (0..FILES).map(|number| (format!("part{number:03}.8K"), program(number)));
+    std::iter::once(("Setup.8K".to_owned(), setup())).chain(programs).collect()
+}
+
+fn load(db: &Database, files: &[(String, String)]) -> (Project, Vec<SourceFile>) {
+    let inputs: Vec<_> = files
+        .iter()
+        .map(|(name, text)| SourceFile::new(db, name.clone(), text.clone(), FileRole::of(name), Vec::new()))
+        .collect();
+    (Project::new(db, inputs.clone(), acrc_catalog::default_model(), Config::default()), inputs)
+}
+
+fn lint(criterion: &mut Criterion) {
+    let files = generate();
+    let bytes: usize = files.iter().map(|(_, text)| text.len()).sum();
+    let mut group = criterion.benchmark_group("lint");
+    group.sample_size(10).throughput(Throughput::Bytes(bytes as u64));
+    group.bench_function("cold", |bencher| {
+        bencher.iter_batched_ref(
+            || {
+                let db = Database::new();
+                let (project, _) = load(&db, &files);
+                (db, project)
+            },
+            |(db, project)| black_box(acrc_lint::check(db, *project)),
+            BatchSize::PerIteration,
+        );
+    });
+    group.finish();
+
+    let mut db = Database::new();
+    let (project, inputs) = load(&db, &files);
+    let findings: usize = acrc_lint::check(&db, project).iter().map(|(_, found)| found.len()).sum();
+    assert_eq!(findings, 0, "the generated project is clean");
+    let mut group = criterion.benchmark_group("edit");
+    group.sample_size(10);
+    group.bench_function("one line", |bencher| {
+        let mut turn = 0;
+        bencher.iter(|| {
+            turn += 1;
+            let text = format!("{}REM edit {turn}\n", files[500].1);
+            db.edit(inputs[500], text);
+            black_box(acrc_lint::check(&db, project))
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, lint);
+criterion_main!(benches);

@@ -1,0 +1,108 @@
+//! What a rule sees while the pass goes over a file.
+
+use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, SectionIndex};
+use acrc_catalog::{Confidence, Model};
+use acrc_diagnostics::{Diagnostic, Span};
+use acrc_syntax::Tree;
+use acrc_syntax::units::Level;
+
+/// The file, the place of the pass in it, and the findings so far.
+pub(crate) struct Context<'a> {
+    file: &'a FileContext<'a>,
+    section: Option<&'a SectionIndex>,
+    statement: u32,
+    found: Vec<Diagnostic>,
+    /// Levels whose missing attachments were reported.
+    pub(crate) reported_levels: Vec<Level>,
+}
+
+impl<'a> Context<'a> {
+    pub(crate) fn new(file: &'a FileContext<'a>) -> Self {
+        Self { file, section: None, statement: 0, found: Vec::new(), reported_levels: Vec::new() }
+    }
+
+    /// The text of the file.
+    pub(crate) fn text(&self) -> &'a str {
+        self.file.text
+    }
+
+    /// The text at `span`.
+    pub(crate) fn slice(&self, span: Span) -> &'a str {
+        self.file.text.get(span.range()).unwrap_or_default()
+    }
+
+    pub(crate) fn tree(&self) -> &'a Tree {
+        self.file.tree
+    }
+
+    pub(crate) fn index(&self) -> &'a FileIndex {
+        self.file.index
+    }
+
+    pub(crate) fn environment(&self) -> &'a Environment {
+        self.file.environment
+    }
+
+    pub(crate) fn model(&self) -> &'static Model {
+        self.file.model
+    }
+
+    /// The model, when the project names one; a default model proves nothing.
+    pub(crate) fn given_model(&self) -> Option<&'static Model> {
+        self.file.model_is_given.then_some(self.file.model)
+    }
+
+    /// The section of the present statement; `None` for `PROGRAM` and `ENDP`, which are between sections.
+    pub(crate) fn section(&self) -> Option<&'a SectionIndex> {
+        self.section
+    }
+
+    /// The level of the present statement.
+    pub(crate) fn level(&self) -> Level {
+        self.section.map_or(Level::System, |section| section.section.level)
+    }
+
+    /// Index of the present statement.
+    pub(crate) fn statement(&self) -> u32 {
+        self.statement
+    }
+
+    /// The place of a statement; empty at the start of the file for one that does not exist.
+    pub(crate) fn statement_span(&self, statement: u32) -> Span {
+        self.file.tree.statements().get(statement as usize).map(|statement| statement.span).unwrap_or_default()
+    }
+
+    /// What is known of the alias at `span`.
+    pub(crate) fn alias(&self, span: Span) -> Option<&'a AliasFact> {
+        self.file.environment.alias(self.slice(span))
+    }
+
+    /// Adds a finding.
+    pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
+        self.found.push(diagnostic);
+    }
+
+    /// Adds a finding that rests on a row of the catalogue: from a row of low confidence it is at most a warning.
+    pub(crate) fn report_by(&mut self, confidence: Confidence, diagnostic: Diagnostic) {
+        self.report(if confidence == Confidence::Low { diagnostic.unconfirmed() } else { diagnostic });
+    }
+
+    /// Moves the pass to a statement.
+    pub(crate) fn enter(&mut self, section: Option<&'a SectionIndex>, statement: u32) {
+        self.section = section;
+        self.statement = statement;
+    }
+
+    pub(crate) fn into_findings(self) -> Vec<Diagnostic> {
+        self.found
+    }
+}
+
+/// A level as people say it: "program 0".
+pub(crate) fn level_name(level: Level) -> String {
+    match level {
+        Level::System => "the SYS prompt".to_owned(),
+        Level::Program(n) => format!("program {n}"),
+        Level::Plc(n) => format!("PLC program {n}"),
+    }
+}

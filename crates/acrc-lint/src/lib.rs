@@ -1,0 +1,35 @@
+//! The linter: rules over the semantic layer.
+//!
+//! [`check`] looks at a project; [`rules`] lists what it looks for; [`explain`] is the page of one rule. Each rule is
+//! one file below `rules/` that holds its code, its documentation, its check and its tests; the registry lists them.
+//! The parser's and the compiler's own findings have their pages here too.
+//!
+//! **Invariants.** A file is passed over once, whatever the number of rules. A rule sees only the file and the part of
+//! the project's symbols that the file uses, so that its findings can be remembered. What rests on a row of the
+//! catalogue of low confidence is never an error.
+
+mod context;
+mod flow;
+mod near_command;
+mod pass;
+mod registry;
+mod rule;
+mod rules;
+#[cfg(test)]
+mod testing;
+
+use acrc_analysis::{Checker, Db, Project, SourceFile};
+use acrc_diagnostics::Diagnostic;
+
+pub(crate) use context::{Context, level_name};
+pub use registry::{explain, rules};
+pub use rule::{Group, RuleDoc};
+
+/// The linter, for [`acrc_analysis::diagnostics`].
+pub const CHECKER: Checker = Checker { name: "lint", run: pass::run };
+
+/// What is wrong with the files of a project, in their order, and in each by place.
+pub fn check(db: &dyn Db, project: Project) -> Vec<(SourceFile, Vec<Diagnostic>)> {
+    let check_file = |file: &SourceFile| (*file, acrc_analysis::diagnostics(db, project, *file, CHECKER).clone());
+    project.files(db).iter().map(check_file).collect()
+}

@@ -1,0 +1,66 @@
+//! The list of all rules, and the way from a code or name to its page.
+
+use crate::rule::{Rule, RuleDoc};
+use crate::rules::{arguments, compile, flow, names, parameters, syntax};
+
+/// Every rule, in the order of the codes.
+pub(crate) const RULES: &[&Rule] = &[
+    &syntax::SYNTAX_ERROR,
+    &syntax::TYPOGRAPHIC_CHARACTER,
+    &syntax::REMARK_WITHOUT_COLON,
+    &syntax::ENCODING,
+    &syntax::UNTERMINATED_STRING,
+    &syntax::DETACHED_LABEL,
+    &syntax::DIM_WITHOUT_PARENTHESES,
+    &syntax::REMARK_ON_LABEL_LINE,
+    &syntax::COMMENT_AFTER_STATEMENT,
+    &compile::NOT_COMPILED,
+    &compile::UNDEFINED_LABEL,
+    &compile::DUPLICATE_LABEL,
+    &compile::UNDEFINED_ALIAS,
+    &compile::NUMBER_TOO_LARGE,
+    &compile::TOO_DEEP,
+    &compile::UNSTORABLE_CHARACTER,
+    &compile::LIMIT,
+    &compile::CONFLICTING_ALIAS,
+    &compile::NO_PROGRAM,
+    &compile::ALIAS_OPERAND,
+    &compile::AXIS_NAME,
+    &flow::undefined_label::RULE,
+    &flow::duplicate_label::RULE,
+    &flow::unused_label::RULE,
+    &flow::unclosed_block::RULE,
+    &flow::unopened_block_end::RULE,
+    &flow::crossed_blocks::RULE,
+    &flow::program_not_closed::RULE,
+    &flow::endp_without_program::RULE,
+    &flow::break_outside_loop::RULE,
+    &flow::goto_out_of_block::RULE,
+    &flow::missing_return::RULE,
+    &arguments::argument_count::RULE,
+    &arguments::argument_kind::RULE,
+    &arguments::argument_range::RULE,
+    &names::undeclared_axis::RULE,
+    &names::axis_name::RULE,
+    &names::duplicate_attachment::RULE,
+    &names::undefined_alias::RULE,
+    &names::duplicate_alias::RULE,
+    &names::alias_name::RULE,
+    &arguments::number_too_large::RULE,
+    &parameters::unknown_number::RULE,
+    &parameters::read_only::RULE,
+];
+
+/// The pages of all rules, in the order of the codes.
+pub fn rules() -> impl Iterator<Item = &'static RuleDoc> {
+    RULES.iter().map(|rule| &rule.doc)
+}
+
+/// The page of a rule by its code (`ACR101`, in any case) or its name (`undefined-label`). Where the compiler has a code
+/// of the same name, the name means that of the linter.
+pub fn explain(topic: &str) -> Option<&'static RuleDoc> {
+    let by_name = |doc: &&RuleDoc| doc.code.name.eq_ignore_ascii_case(topic);
+    rules()
+        .find(|doc| doc.code.id.eq_ignore_ascii_case(topic))
+        .or_else(|| rules().filter(by_name).max_by_key(|doc| doc.group))
+}

@@ -1,0 +1,111 @@
+//! What a rule is: its documentation and its checks.
+
+use std::fmt::Write as _;
+
+use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
+use acrc_syntax::ast::{Expr, Statement};
+
+use acrc_analysis::SectionIndex;
+
+use crate::Context;
+
+/// The documentation of a rule: what `acrc explain` prints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RuleDoc {
+    /// Its stable code and name.
+    pub code: Code,
+    /// The group that it belongs to.
+    pub group: Group,
+    /// The severity that its findings have unless one says otherwise.
+    pub severity: Severity,
+    /// What it finds.
+    pub what: &'static str,
+    /// Why that matters on a machine.
+    pub why: &'static str,
+    /// A program that it complains about.
+    pub bad: &'static str,
+    /// The same program, repaired.
+    pub good: &'static str,
+    /// The section of the programmer's guide, or the reason why there is none.
+    pub guide: &'static str,
+}
+
+/// Groups of rules by what they look at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Group {
+    /// Whether the text can be read: `ACR0xx`.
+    Syntax,
+    /// Whether a program fits the stored form: `ACR02x`.
+    Compile,
+    /// Labels, blocks, the way through a program: `ACR1xx`.
+    Flow,
+    /// Names and arguments: `ACR2xx`.
+    Names,
+    /// Parameters and bits: `ACR3xx`.
+    Parameters,
+}
+
+impl Group {
+    /// The word used in lists.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Syntax => "syntax",
+            Self::Compile => "compile",
+            Self::Flow => "flow",
+            Self::Names => "names",
+            Self::Parameters => "parameters",
+        }
+    }
+}
+
+/// Where in the one pass over a file a rule is asked.
+#[derive(Clone, Copy)]
+pub(crate) enum Check {
+    /// Once a file.
+    File(fn(&mut Context<'_>)),
+    /// Once a section.
+    Section(fn(&mut Context<'_>, &SectionIndex)),
+    /// At each statement.
+    Statement(fn(&mut Context<'_>, &Statement)),
+    /// At each expression, the inner ones included.
+    Expression(fn(&mut Context<'_>, &Expr)),
+}
+
+/// A rule of the registry.
+pub(crate) struct Rule {
+    pub(crate) doc: RuleDoc,
+    /// Its checks; none when the parser or the compiler reports it.
+    pub(crate) checks: &'static [Check],
+}
+
+impl Rule {
+    /// A finding of this rule at its default severity.
+    pub(crate) fn at(&self, span: Span, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(self.doc.severity, self.doc.code, span, message)
+    }
+}
+
+impl RuleDoc {
+    /// The page as text, ending in a line break.
+    pub fn render(&self) -> String {
+        let mut page = String::new();
+        let Self { code, group, severity, what, why, bad, good, guide } = self;
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            page,
+            "{} {} ({severity}, {})\n\n{what}\n\nWhy it matters\n{why}\n",
+            code.id,
+            code.name,
+            group.as_str()
+        );
+        for (title, program) in [("Bad", bad), ("Good", good)] {
+            let _ = writeln!(page, "{title}");
+            for line in program.lines() {
+                let _ = writeln!(page, "{}", format!("    {line}").trim_end());
+            }
+            page.push('\n');
+        }
+        let _ = writeln!(page, "Guide: {guide}");
+        page
+    }
+}

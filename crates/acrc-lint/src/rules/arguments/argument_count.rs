@@ -1,0 +1,119 @@
+//! `ACR201`: too few or too many arguments.
+
+use acrc_catalog::{Command as Row, Shape};
+use acrc_diagnostics::{Code, Severity, Span};
+use acrc_syntax::ast::{Command, Dim, Expr, ExprKind, Statement, StatementKind};
+
+use super::groups::{Group as Values, Values as Written, groups, items, takes_axes};
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR201", name: "argument-count" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A command, an axis of a command, or a function has too few or too many values.",
+        why: "The controller refuses the statement when it gets there, or takes the missing value to be a question and \
+              prints an answer instead of acting.",
+        bad: "PROG0\nPROGRAM\nDWL\nENDP",
+        good: "PROG0\nPROGRAM\nDWL 0.5\nENDP",
+        guide: "Basic Setup / Arguments and Syntax",
+    },
+    checks: &[Check::Statement(check_statement), Check::Expression(check_call)],
+};
+
+/// Stands for any number in the catalogue.
+const ANY: usize = u8::MAX as usize;
+
+fn check_statement(context: &mut Context<'_>, statement: &Statement) {
+    match &statement.kind {
+        StatementKind::Command(command) => check_command(context, command, statement.span),
+        StatementKind::Dim(dim) => check_dim(context, dim, statement.span),
+        _ => {}
+    }
+}
+
+fn check_command(context: &mut Context<'_>, command: &Command, span: Span) {
+    let row = command.id.info();
+    if row.shape == Shape::Free {
+        return;
+    }
+    let count = items(command, row);
+    let unit = if takes_axes(row.shape) { "axis" } else { "argument" };
+    if !judge(context, row, span, count, unit) {
+        return;
+    }
+    for group in groups(command) {
+        check_group(context, &group);
+    }
+}
+
+/// Counts the items; returns whether their number is right.
+fn judge(context: &mut Context<'_>, row: &'static Row, span: Span, count: usize, unit: &str) -> bool {
+    let (min, max) = (usize::from(row.min_args), usize::from(row.max_args));
+    let limit = if count < min {
+        format!("needs {}", counted(min, max, unit))
+    } else if count > max && max != ANY {
+        format!("takes {}", counted(min, max, unit))
+    } else {
+        return true;
+    };
+    let message = format!("{} {limit}, and has {}", row.name, number(count));
+    context.report_by(row.confidence, RULE.at(span, message).with_help(format!("its form is {}", row.signature)));
+    false
+}
+
+fn check_group(context: &mut Context<'_>, group: &Values<'_>) {
+    let row = group.row;
+    let (min, max) = (usize::from(row.tuple_min), usize::from(row.tuple_max));
+    let written = match group.values {
+        Written::Given(values) => values.len(),
+        Written::Missing if !row.bare_axis && max > 0 && group.axis.is_some() => 0,
+        Written::Missing | Written::Other => return,
+    };
+    // A scalar of a shape without tuples is a tuple of one.
+    let (min, max) = if max == 0 { (1, 1) } else { (min, max) };
+    let bare = written == 0 && row.bare_axis;
+    if bare || (min..=max).contains(&written) {
+        return;
+    }
+    let whose = group.axis.map_or_else(String::new, |axis| format!(" of {}", context.slice(axis)));
+    let message = format!("{}{whose} takes {}, and has {}", row.name, counted(min, max, "value"), number(written));
+    let diagnostic = RULE.at(group.span, message).with_help(format!("its form is {}", row.signature));
+    context.report_by(row.confidence, diagnostic);
+}
+
+fn check_dim(context: &mut Context<'_>, dim: &Dim, span: Span) {
+    judge(context, dim.id.info(), span, dim.sizes.len(), "size");
+}
+
+fn check_call(context: &mut Context<'_>, expr: &Expr) {
+    let ExprKind::Call(function, arguments) = &expr.kind else { return };
+    let function = function.info();
+    let (min, max) = (usize::from(function.min_args), usize::from(function.max_args));
+    if !(min..=max).contains(&arguments.len()) {
+        let name = function.name;
+        let message = format!("{name} takes {}, and has {}", counted(min, max, "argument"), number(arguments.len()));
+        context.report_by(function.confidence, RULE.at(expr.span, message));
+    }
+}
+
+fn counted(min: usize, max: usize, unit: &str) -> String {
+    let plural = |count: usize| match (count, unit) {
+        (1, _) => unit.to_owned(),
+        (_, "axis") => "axes".to_owned(),
+        _ => format!("{unit}s"),
+    };
+    match max {
+        0 => format!("no {}", plural(2)),
+        ANY => format!("at least {min} {}", plural(min)),
+        _ if min == max => format!("{min} {}", plural(min)),
+        _ if min == 0 => format!("at most {max} {}", plural(max)),
+        _ => format!("{min} to {max} {}", plural(max)),
+    }
+}
+
+fn number(count: usize) -> String {
+    if count == 0 { "none".to_owned() } else { count.to_string() }
+}

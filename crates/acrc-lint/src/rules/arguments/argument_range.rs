@@ -1,0 +1,78 @@
+//! `ACR203`: a constant outside of the values that a command takes.
+
+use acrc_analysis::walk;
+use acrc_catalog::Command as Row;
+use acrc_diagnostics::{Code, Diagnostic, Severity};
+use acrc_syntax::ast::{Command, Dim, Expr, Statement, StatementKind};
+
+use super::groups::{Values, groups, takes_axes};
+use super::range::ranges;
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR203", name: "argument-range" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A constant is outside of the values that the command takes. Only ranges that a document states exactly \
+               are checked; where one is open to one side the finding is a warning.",
+        why: "The controller refuses the value and keeps the old one: a limit that was to be switched on stays off.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X4",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3",
+        guide: "Basic Setup / Arguments and Syntax",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    match &statement.kind {
+        StatementKind::Command(command) => check_command(context, command),
+        StatementKind::Dim(dim) => check_dim(context, dim),
+        _ => {}
+    }
+}
+
+fn check_command(context: &mut Context<'_>, command: &Command) {
+    if ranges(command.id.info()).is_empty() {
+        return;
+    }
+    let by_axis = takes_axes(command.id.info().shape);
+    let mut place = 0;
+    for group in groups(command) {
+        if let Values::Given(values) = group.values {
+            let first = if by_axis { 0 } else { place };
+            for (at, value) in (first..).zip(values) {
+                judge(context, group.row, at, value);
+            }
+            place += values.len();
+        }
+    }
+}
+
+/// The number behind the word comes first in the row, when there is one.
+fn check_dim(context: &mut Context<'_>, dim: &Dim) {
+    let row = dim.id.info();
+    if ranges(row).is_empty() {
+        return;
+    }
+    let has_index = row.arguments.first().is_some_and(|argument| argument.name == "n");
+    if let Some(index) = dim.index.as_ref().filter(|_| has_index) {
+        judge(context, row, 0, index);
+    }
+    for (at, size) in (usize::from(has_index)..).zip(&dim.sizes) {
+        judge(context, row, at, size);
+    }
+}
+
+fn judge(context: &mut Context<'_>, row: &'static Row, at: usize, value: &Expr) {
+    let Some(range) = ranges(row).get(at).and_then(Option::as_ref) else { return };
+    let (Some(number), Some(argument)) = (walk::literal(value), row.arguments.get(at)) else { return };
+    if range.holds(number) {
+        return;
+    }
+    let message = format!("the {} of {} can't be {number}: it takes {}", argument.name, row.name, argument.range);
+    let diagnostic = RULE.at(value.span, message);
+    let severity = if range.is_closed() { Severity::Error } else { Severity::Warning };
+    context.report(Diagnostic { severity, ..diagnostic });
+}

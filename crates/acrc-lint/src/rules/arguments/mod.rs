@@ -1,0 +1,9 @@
+//! Arguments of commands and functions, by their rows in the catalogue (guide, "Arguments and Syntax").
+
+pub(crate) mod argument_count;
+pub(crate) mod argument_kind;
+pub(crate) mod argument_range;
+mod groups;
+pub(crate) mod number_too_large;
+mod range;
+mod value_kind;

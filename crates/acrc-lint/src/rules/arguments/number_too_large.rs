@@ -1,0 +1,41 @@
+//! `ACR213`: a whole number that 32 bits can't hold.
+
+use acrc_catalog::UnaryOperator;
+use acrc_diagnostics::{Code, Severity};
+use acrc_syntax::ast::{Expr, ExprKind};
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR213", name: "large-constant" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A whole number is beyond 32 bits: above 4294967295, or below -2147483648.",
+        why: "Whole numbers have 32 bits on the controller. What it makes of a longer one is not documented; written \
+              with a decimal point it is a floating-point number and says what is meant.",
+        bad: "P0 = 5000000000",
+        good: "P0 = 5000000000.0",
+        guide: "Memory Allocations / How Much Memory?",
+    },
+    checks: &[Check::Expression(check)],
+};
+
+/// The smallest number is the negative of this.
+const LOWEST: u64 = 1 << 31;
+
+fn check(context: &mut Context<'_>, expr: &Expr) {
+    let too_large = match &expr.kind {
+        ExprKind::Integer(value) => *value > u64::from(u32::MAX),
+        ExprKind::Unary(UnaryOperator::Minus, inner) => {
+            matches!(inner.kind, ExprKind::Integer(value) if value > LOWEST && value <= u64::from(u32::MAX))
+        }
+        _ => false,
+    };
+    if too_large {
+        let written = context.slice(expr.span);
+        let diagnostic = RULE.at(expr.span, format!("{written} does not fit into 32 bits"));
+        context.report(diagnostic.with_help(format!("write {written}.0 for a floating-point number")));
+    }
+}

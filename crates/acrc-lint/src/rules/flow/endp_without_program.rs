@@ -1,0 +1,34 @@
+//! `ACR114`: `ENDP` without `PROGRAM`.
+
+use acrc_catalog::command;
+use acrc_diagnostics::{Code, Severity};
+use acrc_syntax::ast::{Statement, StatementKind};
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR114", name: "endp-without-program" },
+        group: Group::Flow,
+        severity: Severity::Warning,
+        what: "An ENDP closes a program that no PROGRAM opened.",
+        why: "Without PROGRAM the lines are carried out one by one as they are sent, instead of being stored: motion \
+              starts during the download, and there is nothing to run afterwards.",
+        bad: "PROG0\nSET 32\nDWL 1\nCLR 32\nENDP",
+        good: "PROG0\nPROGRAM\nSET 32\nDWL 1\nCLR 32\nENDP",
+        guide: "Program Flow",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    // Between the sections stand only the PROGRAM and ENDP of a stored program.
+    let Some(section) = context.section() else { return };
+    if matches!(&statement.kind, StatementKind::Command(c) if c.id == command::ENDP)
+        && section.section.closer != Some(context.statement())
+    {
+        let diagnostic = RULE.at(statement.span, "ENDP without PROGRAM");
+        context.report(diagnostic.with_help("open the program with a line PROGRAM before its first statement"));
+    }
+}

@@ -1,0 +1,64 @@
+//! `ACR117`: a subroutine that runs into the end of the program.
+
+use acrc_analysis::SectionIndex;
+use acrc_diagnostics::{Code, Severity, Span};
+use acrc_syntax::units::SectionKind;
+
+use crate::Context;
+use crate::flow::Flow;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR117", name: "missing-return" },
+        group: Group::Flow,
+        severity: Severity::Warning,
+        what: "A subroutine that is called with GOSUB can run into ENDP without a RETURN. A way that leaves it through \
+               a GOTO counts only if the subroutine has no RETURN at all.",
+        why: "The program ends inside of the subroutine: what stands behind the GOSUB is never done.",
+        bad: "PROG0\nPROGRAM\nGOSUB Open\nDWL 1\nEND\n_Open\nSET 32\nENDP",
+        good: "PROG0\nPROGRAM\nGOSUB Open\nDWL 1\nEND\n_Open\nSET 32\nRETURN\nENDP",
+        guide: "Program Flow / GOSUB",
+    },
+    checks: &[Check::Section(check)],
+};
+
+fn check(context: &mut Context<'_>, section: &SectionIndex) {
+    let Some(end) = end_of_text(context, section) else { return };
+    let mut called: Vec<(u32, Span)> = section
+        .jumps
+        .iter()
+        .filter(|jump| jump.call)
+        .filter_map(|jump| Some((section.resolve(context.text(), jump.target)?, jump.target.span())))
+        .collect();
+    called.sort_unstable();
+    called.dedup_by_key(|(statement, _)| *statement);
+    if called.is_empty() || !section.blocks.errors().is_empty() {
+        return;
+    }
+
+    let flow = Flow::new(context.tree(), context.text(), section);
+    called.retain(|(entry, _)| flow.runs_off_the_end(*entry));
+    let Some((_, first)) = called.first() else { return };
+    let names: Vec<_> = called.iter().map(|(_, name)| format!("`{}`", context.slice(*name))).collect();
+    let (what, verb) = if names.len() == 1 { ("subroutine", "runs") } else { ("subroutines", "run") };
+    let message = format!("the {what} {} {verb} into the end of the program without RETURN", names.join(", "));
+    let mut diagnostic = RULE.at(end, message).with_related(*first, "called here");
+    for (entry, _) in &called {
+        diagnostic = diagnostic.with_related(context.statement_span(*entry), "begins here");
+    }
+    context.report(diagnostic.with_help("end the subroutine with RETURN"));
+}
+
+/// Where the text of a stored program ends. Text that is typed at a prompt may go on in another file.
+fn end_of_text(context: &Context<'_>, section: &SectionIndex) -> Option<Span> {
+    let section = &section.section;
+    let last = match section.closer {
+        Some(closer) => closer,
+        None if section.kind == SectionKind::Stored && section.opener.is_none() => {
+            section.statements.end.checked_sub(1)?
+        }
+        None => return None,
+    };
+    Some(context.statement_span(last))
+}

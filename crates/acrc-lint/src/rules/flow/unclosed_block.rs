@@ -1,0 +1,34 @@
+//! `ACR110`: a block that is not closed.
+
+use acrc_analysis::SectionIndex;
+use acrc_diagnostics::{Code, Severity};
+use acrc_syntax::blocks::BlockErrorKind;
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR110", name: "unclosed-block" },
+        group: Group::Flow,
+        severity: Severity::Error,
+        what: "An IF without THEN has no ENDIF, a FOR no NEXT, or a WHILE no WEND.",
+        why: "Where the block ends decides what the machine does and how often. The controller looks for the end when \
+              the program runs, and does not find it.",
+        bad: "PROG0\nPROGRAM\nIF (BIT 24)\nSET 32\nDWL 1\nENDP",
+        good: "PROG0\nPROGRAM\nIF (BIT 24)\nSET 32\nENDIF\nDWL 1\nENDP",
+        guide: "Program Flow / Selection and Repetition",
+    },
+    checks: &[Check::Section(check)],
+};
+
+fn check(context: &mut Context<'_>, section: &SectionIndex) {
+    for error in section.blocks.errors() {
+        if let BlockErrorKind::Unclosed(kind) = error.kind {
+            let (opener, closer) = (kind.opener(), kind.closer());
+            let span = context.statement_span(error.statement);
+            let diagnostic = RULE.at(span, format!("{opener} has no {closer}"));
+            context.report(diagnostic.with_help(format!("close the block with a line {closer}")));
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! One file a rule, in groups.
+
+pub(crate) mod arguments;
+pub(crate) mod compile;
+pub(crate) mod flow;
+pub(crate) mod names;
+pub(crate) mod parameters;
+pub(crate) mod syntax;

@@ -1,0 +1,60 @@
+//! `ACR212`: an alias whose name breaks the rules for names.
+
+use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
+use acrc_syntax::ast::{Statement, StatementKind};
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR212", name: "alias-name" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A #DEFINE names an alias with more than 24 letters, with something other than letters, or with a word of \
+               the language.",
+        why: "The controller refuses the definition, and with it every line that uses the alias. A name that is a \
+              command reads as the command.",
+        bad: "#DEFINE Clamp1 BIT32",
+        good: "#DEFINE ClampA BIT32",
+        guide: "Programming Basics / Aliases",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+/// The longest name in letters.
+const LONGEST: usize = 24;
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let StatementKind::Define(define) = &statement.kind else { return };
+    if let Some(diagnostic) = judge(context, define.name) {
+        context.report(diagnostic);
+    }
+}
+
+fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
+    let name = context.slice(span);
+    if let Some(odd) = name.chars().find(|c| !c.is_ascii_alphabetic()) {
+        let diagnostic = RULE.at(span, format!("the alias `{name}` has a `{odd}`; only letters may be in it"));
+        // A later operating system of the ACR7000 and IPA takes digits.
+        let settled = !(odd.is_ascii_digit() && takes_digits(context.model().name));
+        return settled.then_some(diagnostic);
+    }
+    if name.len() > LONGEST {
+        let letters = name.len();
+        return Some(
+            RULE.at(span, format!("the alias `{name}` has {letters} letters; at most {LONGEST} are possible")),
+        );
+    }
+    let word = acrc_catalog::word(name)?;
+    let is_taken =
+        word.command.is_some() || word.function.is_some() || word.operand.is_some() || word.operator.is_some();
+    is_taken.then(|| {
+        let message = format!("the alias `{name}` is a word of the language");
+        RULE.at(span, message).with_help("it reads as that word: take another name").unconfirmed()
+    })
+}
+
+fn takes_digits(model: &str) -> bool {
+    model.starts_with("ACR7") || model.starts_with("IPA")
+}

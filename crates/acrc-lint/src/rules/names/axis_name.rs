@@ -1,0 +1,75 @@
+//! `ACR205`: an axis name that breaks the rules for names.
+
+use acrc_catalog::command;
+use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
+use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR205", name: "axis-name" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "ATTACH SLAVE gives a name that is not one to four letters, or is P or F.",
+        why: "P is a parameter and F a feedrate: `F 100` would never reach an axis of that name. Other names that are \
+              words of the language read as those words, so that moves of the axis do something else.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"F\"",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"FEED\"",
+        guide: "Attachments / Master/Slave Attachments",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+/// The longest name in letters.
+const LONGEST: usize = 4;
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let StatementKind::Command(attach) = &statement.kind else { return };
+    if attach.id != command::ATTACH_SLAVE {
+        return;
+    }
+    for argument in &attach.arguments {
+        if let Argument::Value(Expr { span, kind: ExprKind::String(inner) }) = argument
+            && let Some(diagnostic) = judge(*span, context.slice(*inner))
+        {
+            context.report(diagnostic);
+        }
+    }
+}
+
+fn judge(span: Span, name: &str) -> Option<Diagnostic> {
+    let upper = name.to_ascii_uppercase();
+    let help = "take one to four letters, not P or F";
+    if name.is_empty() {
+        return Some(RULE.at(span, "an axis needs a name").with_help(help));
+    }
+    if let Some(odd) = name.chars().find(|c| !c.is_ascii_alphabetic()) {
+        return Some(
+            RULE.at(span, format!("the axis name `{name}` has a `{odd}`; only letters may be in it")).with_help(help),
+        );
+    }
+    if name.len() > LONGEST {
+        let letters = name.len();
+        return Some(
+            RULE.at(span, format!("the axis name `{name}` has {letters} letters; at most {LONGEST} are possible"))
+                .with_help(help),
+        );
+    }
+    if upper == "P" || upper == "F" {
+        let meaning = if upper == "P" { "a parameter" } else { "the feedrate" };
+        return Some(RULE.at(span, format!("`{name}` can't be an axis name: it is {meaning}")).with_help(help));
+    }
+    let word = acrc_catalog::word(&upper)?;
+    let is_taken = word.command.is_some()
+        || word.object.is_some()
+        || word.function.is_some()
+        || word.operand.is_some()
+        || word.operator.is_some();
+    is_taken.then(|| {
+        RULE.at(span, format!("the axis name `{name}` is a word of the language"))
+            .with_help("moves of this axis would read as that word: take another name")
+            .unconfirmed()
+    })
+}

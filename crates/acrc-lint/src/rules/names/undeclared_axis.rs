@@ -1,0 +1,99 @@
+//! `ACR204`: an axis name that the program does not have.
+
+use acrc_analysis::{AxisTable, walk};
+use acrc_catalog::command;
+use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
+use acrc_syntax::ast::{Axis, Statement, StatementKind};
+use acrc_syntax::units::Level;
+
+use crate::near_command::{exchanged_letters, near_command};
+use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::{Context, level_name};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR204", name: "undeclared-axis" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A statement uses an axis name that no ATTACH SLAVE gives in this program. A misspelt command looks the \
+               same: `VLE 5` reads as a move of an axis named VLE.",
+        why: "An axis name is valid in its own program only. Without the attachment the move is refused when the \
+              program gets there, in the middle of the cycle.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nX10 Y20\nENDP",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nPROGRAM\nX10 Y20\nENDP",
+        guide: "Attachments / Master/Slave Attachments",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let level = context.level();
+    for axis in walk::axes(statement) {
+        match context.environment().axes_at(level) {
+            Some(table) if table.open || table.has(context.slice(axis.name)) => {}
+            Some(table) => context.report(not_among(context, axis, statement, table)),
+            None if context.environment().fragment => {
+                if let Some(diagnostic) = probably_misspelt(context, axis, statement) {
+                    context.report(diagnostic);
+                }
+            }
+            None => without_attachments(context, axis, level),
+        }
+    }
+}
+
+fn not_among(context: &Context<'_>, axis: &Axis, statement: &Statement, table: &AxisTable) -> Diagnostic {
+    let name = context.slice(axis.name);
+    if is_whole_move(statement)
+        && let Some(command) = near_command(name)
+    {
+        return misspelt(axis, name, command);
+    }
+    let program = level_name(context.level());
+    let names: Vec<_> = table.names.iter().map(|(name, _)| &**name).collect();
+    RULE.at(axis.name, format!("{program} has no axis `{name}`"))
+        .with_help(format!("its axes are {}; ATTACH SLAVE gives a name to another one", names.join(", ")))
+}
+
+/// One error a program is enough: the first axis stands for all.
+fn without_attachments(context: &mut Context<'_>, axis: &Axis, level: Level) {
+    // Which names a PLC program may use is not documented.
+    if matches!(level, Level::Plc(_)) || context.reported_levels.contains(&level) {
+        return;
+    }
+    context.reported_levels.push(level);
+    let name = context.slice(axis.name);
+    let program = level_name(level);
+    let diagnostic = match level {
+        Level::System => RULE
+            .at(axis.name, format!("the axis `{name}` is used at the SYS prompt, which has no axis names"))
+            .with_help("switch to the program with PROGn, or address the axis by number (AXIS0)"),
+        _ => RULE
+            .at(axis.name, format!("{program} moves `{name}`, but no ATTACH SLAVE names an axis for it"))
+            .with_help(format!(
+                "attach a master and the axis in the setup of {program}: ATTACH MASTER0, ATTACH SLAVE0 AXIS0 \"{name}\""
+            )),
+    };
+    context.report(diagnostic);
+}
+
+/// In a piece of code without its surroundings any name may be an axis. Only a command with two letters exchanged is
+/// still conspicuous.
+fn probably_misspelt(context: &Context<'_>, axis: &Axis, statement: &Statement) -> Option<Diagnostic> {
+    let name = context.slice(axis.name);
+    if name.len() < 3 || !is_whole_move(statement) {
+        return None;
+    }
+    let command = exchanged_letters(name)?;
+    Some(Diagnostic { severity: Severity::Warning, ..misspelt(axis, name, command) })
+}
+
+fn misspelt(axis: &Axis, name: &str, command: &str) -> Diagnostic {
+    RULE.at(axis.name, format!("unknown command or axis `{name}`: did you mean `{command}`?"))
+        .with_fix(Fix::unsafe_(format!("write {command}"), vec![Edit::replace(axis.name, command)]))
+}
+
+/// A move without a keyword of a single axis, which a misspelt command with its argument reads as.
+fn is_whole_move(statement: &Statement) -> bool {
+    matches!(&statement.kind, StatementKind::Command(c) if c.id == command::AXIS_MOVE && c.arguments.len() == 1)
+}

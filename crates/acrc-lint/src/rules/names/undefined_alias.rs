@@ -1,0 +1,48 @@
+//! `ACR210`: a name in an expression that no `#DEFINE` gives.
+
+use acrc_analysis::AliasFact;
+use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
+use acrc_syntax::ast::{Expr, ExprKind};
+
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR210", name: "undefined-alias" },
+        group: Group::Names,
+        severity: Severity::Error,
+        what: "A name stands where a value is expected, and no #DEFINE of the project defines it.",
+        why: "The controller does not know the name and refuses the line; what is left of the program runs without it.",
+        bad: "#DEFINE Clamp BIT32\nPROG0\nPROGRAM\nSET clamp\nENDP",
+        good: "#DEFINE Clamp BIT32\nPROG0\nPROGRAM\nSET Clamp\nENDP",
+        guide: "Programming Basics / Aliases",
+    },
+    checks: &[Check::Expression(check)],
+};
+
+fn check(context: &mut Context<'_>, expr: &Expr) {
+    if !matches!(expr.kind, ExprKind::Alias) || context.environment().excerpt {
+        return;
+    }
+    if let Some(AliasFact::Undefined { near }) = context.alias(expr.span) {
+        context.report(finding(context, expr, near.as_deref()));
+    }
+}
+
+fn finding(context: &Context<'_>, expr: &Expr, near: Option<&str>) -> Diagnostic {
+    let name = context.slice(expr.span);
+    if context.environment().axes_at(context.level()).is_some_and(|axes| axes.has(name)) {
+        return RULE
+            .at(expr.span, format!("`{name}` is an axis, which has no value of its own"))
+            .with_help("read a parameter of the axis, such as its actual position P12290 (axis 0)");
+    }
+    let diagnostic = RULE.at(expr.span, format!("`{name}` is not defined"));
+    match near {
+        Some(near) => diagnostic
+            .with_help(format!("did you mean `{near}`? Aliases are case-sensitive"))
+            .with_fix(Fix::unsafe_(format!("write `{near}`"), vec![Edit::replace(expr.span, near)])),
+        None => diagnostic
+            .with_help(format!("define it: #DEFINE {name} followed by a parameter, bit, variable or constant")),
+    }
+}

@@ -1,0 +1,27 @@
+//! What the tests of the rules share.
+
+use acrc_analysis::project::Config;
+use acrc_analysis::{Database, FileRole, Project, SourceFile};
+use acrc_diagnostics::{Diagnostic, LineIndex, Severity};
+
+/// The findings in the files of a project, each a name and a text.
+pub(crate) fn lint(files: &[(&str, &str)]) -> Vec<Vec<Diagnostic>> {
+    let db = Database::new();
+    let inputs = files.iter().map(|(name, text)| {
+        SourceFile::new(&db, (*name).to_owned(), (*text).to_owned(), FileRole::of(name), Vec::new())
+    });
+    let project = Project::new(&db, inputs.collect(), acrc_catalog::default_model(), Config::default());
+    crate::check(&db, project).into_iter().map(|(_, found)| found).collect()
+}
+
+/// Lines and codes of what is found in a single file, advice left out.
+pub(crate) fn codes(text: &str) -> Vec<(u32, &'static str)> {
+    codes_in(text, &lint(&[("test.8K", text)]).concat())
+}
+
+/// Lines and codes of findings, advice left out.
+pub(crate) fn codes_in(text: &str, found: &[Diagnostic]) -> Vec<(u32, &'static str)> {
+    let index = LineIndex::new(text);
+    let loud = found.iter().filter(|diagnostic| diagnostic.severity > Severity::Advice);
+    loud.map(|diagnostic| (index.position(diagnostic.span.start).line, diagnostic.code.id)).collect()
+}

@@ -1,0 +1,131 @@
+//! Plain CSV that spreadsheets and data tools read without settings.
+//!
+//! The first line is `time_s` and the names of the signals; every further line is one row. Fields are separated by
+//! commas, lines end with LF, and a name with a comma, quote or line end is quoted as RFC 4180 says. Times have six
+//! decimals, which is a microsecond, bits are `0` and `1`, and other values have the fewest digits that read back as
+//! the same number.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+use thiserror::Error;
+
+use crate::signal::is_on;
+use crate::trace::check_row;
+use crate::{Kind, Signal, Trace, TraceError};
+
+/// Why a row could not be written.
+#[derive(Debug, Error)]
+pub enum CsvError {
+    /// The row does not fit the header or the rows before it; nothing was written.
+    #[error(transparent)]
+    Row(#[from] TraceError),
+    /// The output failed.
+    #[error("the recording could not be written: {0}")]
+    Io(#[from] io::Error),
+}
+
+/// Writes a whole trace.
+pub fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
+    let kinds: Vec<Kind> = trace.signals().iter().map(|signal| signal.kind).collect();
+    let mut line = String::new();
+    push_header(&mut line, trace.signals());
+    out.write_all(line.as_bytes())?;
+    for (row, time) in trace.times().iter().enumerate() {
+        line.clear();
+        let values = (0..kinds.len()).filter_map(|signal| trace.value(row, signal));
+        push_row(&mut line, &kinds, *time, values);
+        out.write_all(line.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Writes rows as they come, so that the length of a run does not matter. It does not buffer: give it a
+/// [`BufWriter`](io::BufWriter) when the output is a file.
+#[derive(Debug)]
+pub struct CsvWriter<W> {
+    out: W,
+    kinds: Vec<Kind>,
+    last_time: Option<f64>,
+    line: String,
+}
+
+impl<W: Write> CsvWriter<W> {
+    /// Writes the header.
+    pub fn new(mut out: W, signals: &[Signal]) -> io::Result<Self> {
+        let mut line = String::new();
+        push_header(&mut line, signals);
+        out.write_all(line.as_bytes())?;
+        let kinds = signals.iter().map(|signal| signal.kind).collect();
+        Ok(Self { out, kinds, last_time: None, line })
+    }
+
+    /// Writes one row: `time` in seconds, `values` in the order of the signals.
+    pub fn row(&mut self, time: f64, values: &[f64]) -> Result<(), CsvError> {
+        check_row(self.kinds.len(), self.last_time, time, values)?;
+        self.line.clear();
+        push_row(&mut self.line, &self.kinds, time, values.iter().copied());
+        self.out.write_all(self.line.as_bytes())?;
+        self.last_time = Some(time);
+        Ok(())
+    }
+
+    /// Flushes the output and hands it back.
+    pub fn finish(mut self) -> io::Result<W> {
+        self.out.flush()?;
+        Ok(self.out)
+    }
+}
+
+fn push_header(line: &mut String, signals: &[Signal]) {
+    line.push_str("time_s");
+    for signal in signals {
+        line.push(',');
+        push_quoted(line, &signal.name);
+    }
+    line.push('\n');
+}
+
+fn push_row(line: &mut String, kinds: &[Kind], time: f64, values: impl Iterator<Item = f64>) {
+    push_time(line, time);
+    for (kind, value) in kinds.iter().zip(values) {
+        line.push(',');
+        match kind {
+            Kind::Bit => line.push(if is_on(value) { '1' } else { '0' }),
+            Kind::Continuous => push_value(line, value),
+        }
+    }
+    line.push('\n');
+}
+
+fn push_quoted(line: &mut String, name: &str) {
+    if name.contains([',', '"', '\r', '\n']) {
+        line.push('"');
+        line.push_str(&name.replace('"', "\"\""));
+        line.push('"');
+    } else {
+        line.push_str(name);
+    }
+}
+
+fn push_time(line: &mut String, seconds: f64) {
+    // A negative time that rounds to zero must not keep its sign.
+    let microsecond = 1e-6;
+    let seconds = if seconds.abs() < microsecond / 2.0 { 0.0 } else { seconds };
+    push_formatted(line, format_args!("{seconds:.6}"));
+}
+
+/// The debug form of a float is its shortest one that reads back, with an exponent where that is shorter, but whole
+/// numbers end in `.0`.
+fn push_value(line: &mut String, value: f64) {
+    let start = line.len();
+    // Adding zero turns -0 into 0 and changes nothing else.
+    push_formatted(line, format_args!("{:?}", value + 0.0));
+    if line.get(start..).is_some_and(|text| text.ends_with(".0")) {
+        line.truncate(line.len() - ".0".len());
+    }
+}
+
+fn push_formatted(line: &mut String, text: std::fmt::Arguments<'_>) {
+    line.write_fmt(text).expect("a string takes any text");
+}

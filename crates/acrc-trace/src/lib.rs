@@ -1,0 +1,17 @@
+//! What a run recorded: signals over time, as numbers for other tools and as a picture for a person.
+//!
+//! - [`Trace`] holds the samples in memory, one column a signal;
+//! - [`csv`] writes them as plain CSV, also row by row while a run goes on;
+//! - [`plot`] draws them as one self-contained SVG picture.
+//!
+//! **Invariants.** The crate knows neither the controller nor the language: a signal is a name, a unit and numbers. It
+//! touches no file. The same samples always give the same bytes, on every machine: nothing here uses a function whose
+//! last digit depends on the platform's mathematics library.
+
+pub mod csv;
+pub mod plot;
+mod signal;
+mod trace;
+
+pub use signal::{Kind, Signal};
+pub use trace::{Trace, TraceError};

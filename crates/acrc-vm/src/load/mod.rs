@@ -1,0 +1,217 @@
+//! From the stored form to the register form.
+//!
+//! Everything that does not change is settled here, once: types, constants, addresses of jumps, the nesting of blocks, aliases, the form of
+//! arguments. What is certain to fail only when it is reached (a string where a number belongs, a jump to a line that is not there) becomes an instruction that
+//! raises the fault, because the controller finds such errors at run time too.
+
+mod arguments;
+mod blocks;
+mod call;
+mod compare;
+mod error;
+mod expression;
+mod flow;
+mod operand;
+mod place;
+mod statement;
+
+use acrc_catalog::command;
+use acrc_image::{Alias, Instruction, Node, Separator, Unit, UnitName};
+
+use self::blocks::Role;
+pub use self::error::{LoadError, LoadErrorKind};
+use self::place::Scratch;
+use crate::code::{Code, Doubt, Location, Real, StatementMark, Unconfirmed};
+use crate::fault::FaultKind;
+use crate::functions::AngleUnit;
+use crate::op::Op;
+use crate::plan::Plan;
+use crate::value::Value;
+
+/// Choices where the documents are silent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LoadOptions {
+    /// Unit of angles in functions.
+    pub angle: AngleUnit,
+}
+
+/// Where a jump goes, before addresses are known. Numbers are places in the list of instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Jump {
+    /// To a statement.
+    To(usize),
+    /// To where the statement before it ends up: for a branch of an `IF` that is the end of the `IF`.
+    Entry(usize),
+    /// To where this statement ends up.
+    Behind(usize),
+}
+
+/// Addresses of a statement in the register form.
+#[derive(Clone, Copy, Debug, Default)]
+struct Addresses {
+    entry: u32,
+    start: u32,
+}
+
+/// The state of a load.
+struct Loader<'a> {
+    aliases: &'a [Alias],
+    instructions: &'a [Instruction],
+    roles: Vec<Role>,
+    /// Places of the label definitions, in order.
+    labels: Vec<usize>,
+    boot: bool,
+    ops: Vec<Op>,
+    /// Jumps whose address is not known yet.
+    jumps: Vec<(usize, Jump)>,
+    addresses: Vec<Addresses>,
+    scratch: Scratch,
+    value_slots: usize,
+    constants: Vec<Value>,
+    reals: Vec<Real>,
+    plans: Vec<Plan>,
+    faults: Vec<FaultKind>,
+    statements: Vec<StatementMark>,
+    unconfirmed: Vec<Unconfirmed>,
+    location: Location,
+}
+
+impl Code {
+    /// Verifies and decodes a unit of an image.
+    ///
+    /// # Errors
+    /// When the words are no program, when blocks do not match, or when a statement cannot be executed whatever happens.
+    pub fn load(unit: &Unit, aliases: &[Alias]) -> Result<Self, LoadError> {
+        Self::load_with(unit, aliases, LoadOptions::default())
+    }
+
+    /// As [`Code::load`], with choices.
+    ///
+    /// # Errors
+    /// As [`Code::load`].
+    pub fn load_with(unit: &Unit, aliases: &[Alias], options: LoadOptions) -> Result<Self, LoadError> {
+        let instructions =
+            unit.decode().map_err(|error| LoadError { kind: error.into(), location: Location::default() })?;
+        let locations = locations(unit, &instructions);
+        let at = |place: usize| locations.get(place).copied().unwrap_or_default();
+        let roles = blocks::roles(&instructions).map_err(|(kind, place)| LoadError { kind, location: at(place) })?;
+        let labels = (0..).zip(&instructions).filter(|(_, instruction)| instruction.command == command::LABEL);
+        let mut loader = Loader {
+            aliases,
+            labels: labels.map(|(place, _)| place).collect(),
+            instructions: &instructions,
+            roles,
+            boot: unit.name == UnitName::Boot,
+            ops: Vec::new(),
+            jumps: Vec::new(),
+            addresses: Vec::with_capacity(instructions.len()),
+            scratch: Scratch::default(),
+            value_slots: 0,
+            constants: Vec::new(),
+            reals: Vec::new(),
+            plans: Vec::new(),
+            faults: Vec::new(),
+            statements: Vec::with_capacity(instructions.len()),
+            unconfirmed: Vec::new(),
+            location: Location::default(),
+        };
+        for (place, instruction) in instructions.iter().enumerate() {
+            loader.location = at(place);
+            loader.begin();
+            loader.statement(place, instruction).map_err(|kind| LoadError { kind, location: at(place) })?;
+        }
+        Ok(loader.finish(unit.name, options.angle))
+    }
+}
+
+/// Where each instruction stands.
+fn locations(unit: &Unit, instructions: &[Instruction]) -> Vec<Location> {
+    let mut line = Location::default();
+    let mut all = Vec::with_capacity(instructions.len());
+    for instruction in instructions {
+        if instruction.separator == Separator::Line || line.line == 0 {
+            line = Location { line: line.line + 1, ..Location::default() };
+        }
+        if instruction.command == command::LINE_NUMBER
+            && let Some(Node::Long(number)) = instruction.items.first().map(|item| &item.node)
+        {
+            line.number = Some(*number);
+        } else {
+            line.statement += 1;
+        }
+        let source = unit.debug.as_ref().and_then(|map| map.locate(instruction.address));
+        all.push(Location { address: instruction.address, source, ..line });
+    }
+    all
+}
+
+impl Loader<'_> {
+    /// A new statement: nothing of the one before it is needed any more.
+    fn begin(&mut self) {
+        self.scratch = Scratch::default();
+        let entry = self.ops.len() as u32;
+        self.addresses.push(Addresses { entry, start: entry });
+        self.statements.push(StatementMark { pc: entry, location: self.location });
+    }
+
+    /// The present statement starts here for those who jump to it.
+    fn mark_start(&mut self, place: usize) {
+        let start = self.ops.len() as u32;
+        if let Some(addresses) = self.addresses.get_mut(place) {
+            addresses.start = start;
+        }
+    }
+
+    fn emit(&mut self, op: Op) {
+        self.ops.push(op);
+    }
+
+    fn emit_jump(&mut self, op: Op, to: Jump) {
+        self.jumps.push((self.ops.len(), to));
+        self.ops.push(op);
+    }
+
+    /// A fault that is raised when the statement is reached.
+    fn raise(&mut self, fault: FaultKind) {
+        let index = self.faults.len() as u32;
+        self.faults.push(fault);
+        self.emit(Op::Raise { index });
+    }
+
+    /// Takes note of undocumented behaviour.
+    fn doubt(&mut self, name: &'static str, doubt: Doubt) {
+        if !self.unconfirmed.iter().any(|known| known.name == name && known.doubt == doubt) {
+            self.unconfirmed.push(Unconfirmed { name, doubt, location: self.location });
+        }
+    }
+
+    fn finish(mut self, name: UnitName, angle: AngleUnit) -> Code {
+        let end = self.ops.len() as u32;
+        self.emit(Op::End);
+        let address = |place: usize| self.addresses.get(place).copied().unwrap_or(Addresses { entry: end, start: end });
+        for (op, jump) in &self.jumps {
+            let destination = match *jump {
+                Jump::To(place) => address(place).start,
+                Jump::Entry(place) => address(place).entry,
+                Jump::Behind(place) => address(place + 1).entry,
+            };
+            if let Some(target) = self.ops.get_mut(*op).and_then(Op::target_mut) {
+                *target = destination;
+            }
+        }
+        let loops = self.roles.iter().filter(|role| matches!(role, Role::For { .. })).count();
+        Code {
+            name,
+            ops: self.ops.into(),
+            constants: self.constants.into(),
+            reals: self.reals.into(),
+            plans: self.plans.into(),
+            faults: self.faults.into(),
+            value_slots: self.value_slots,
+            loops,
+            angle,
+            statements: self.statements.into(),
+            unconfirmed: self.unconfirmed.into(),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The arrays of one class: `DIM LA(2)` gives two references, `DIM LA0(500)` elements to the first of them.
+
+use acrc_catalog::OperandClass;
+
+use crate::fault::FaultKind;
+
+/// One array, or the string variables.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<T> {
+    /// Its elements.
+    pub(crate) items: Vec<T>,
+    /// Characters that a string may have; 0 for numbers.
+    pub(crate) length: usize,
+    /// Its `DIM` was executed.
+    pub(crate) dimensioned: bool,
+}
+
+impl<T> Default for Block<T> {
+    fn default() -> Self {
+        Self { items: Vec::new(), length: 0, dimensioned: false }
+    }
+}
+
+impl<T: Clone + Default> Block<T> {
+    /// `count` zeros, or empty strings of at most `length` characters.
+    pub(crate) fn new(count: usize, length: usize) -> Self {
+        Self { items: vec![T::default(); count], length, dimensioned: true }
+    }
+}
+
+/// All arrays of one class.
+#[derive(Clone, Debug)]
+pub(crate) struct Arrays<T> {
+    class: OperandClass,
+    arrays: Vec<Block<T>>,
+    dimensioned: bool,
+}
+
+impl<T: Clone + Default> Arrays<T> {
+    /// No references.
+    pub(crate) const fn new(class: OperandClass) -> Self {
+        Self { class, arrays: Vec::new(), dimensioned: false }
+    }
+
+    /// The arrays, in order.
+    pub(crate) fn blocks(&self) -> &[Block<T>] {
+        &self.arrays
+    }
+
+    /// True after `DIM` gave the references.
+    pub(crate) const fn is_dimensioned(&self) -> bool {
+        self.dimensioned
+    }
+
+    /// `DIM LA(count)`
+    pub(crate) fn dimension_references(&mut self, count: usize) {
+        self.arrays.resize_with(count, Block::default);
+        self.dimensioned = true;
+    }
+
+    /// The block of an array that `DIM` may still give elements to.
+    pub(crate) fn undimensioned(&mut self, array: i64) -> Result<&mut Block<T>, FaultKind> {
+        let (class, arrays) = (self.class, self.arrays.len() as u32);
+        match place(array).and_then(|array| self.arrays.get_mut(array)) {
+            None => Err(FaultKind::NoSuchArray { class, array, arrays }),
+            Some(block) if block.dimensioned => Err(FaultKind::Redimensioned),
+            Some(block) => Ok(block),
+        }
+    }
+
+    /// An element.
+    #[inline]
+    pub(crate) fn get(&self, array: i64, element: i64) -> Result<&T, FaultKind> {
+        let (class, arrays) = (self.class, self.arrays.len());
+        let block = place(array).and_then(|array| self.arrays.get(array));
+        let block = block.ok_or_else(|| no_such_array(class, array, arrays))?;
+        let item = place(element).and_then(|element| block.items.get(element));
+        item.ok_or_else(|| block.missing(class, array, element))
+    }
+
+    /// An element, and the length of the strings of its array.
+    #[inline]
+    pub(crate) fn get_mut(&mut self, array: i64, element: i64) -> Result<(&mut T, usize), FaultKind> {
+        let (class, arrays) = (self.class, self.arrays.len());
+        let block = place(array).and_then(|array| self.arrays.get_mut(array));
+        let block = block.ok_or_else(|| no_such_array(class, array, arrays))?;
+        let length = block.length;
+        match place(element).filter(|element| *element < block.items.len()) {
+            Some(element) => Ok((&mut block.items[element], length)),
+            None => Err(block.missing(class, array, element)),
+        }
+    }
+}
+
+impl<T> Block<T> {
+    /// Why an element is not there.
+    #[cold]
+    fn missing(&self, class: OperandClass, array: i64, element: i64) -> FaultKind {
+        if self.dimensioned {
+            FaultKind::NoSuchElement { class, array, element, size: self.items.len() as u32 }
+        } else {
+            FaultKind::EmptyArray { class, array }
+        }
+    }
+}
+
+#[cold]
+fn no_such_array(class: OperandClass, array: i64, arrays: usize) -> FaultKind {
+    FaultKind::NoSuchArray { class, array, arrays: arrays as u32 }
+}
+
+/// A number of the language as a place in a table. `None` for negative numbers.
+#[inline]
+pub(crate) fn place(number: i64) -> Option<usize> {
+    usize::try_from(number).ok()
+}

@@ -1,0 +1,177 @@
+//! `DIM` of local variables and the bytes it takes (guide, "How Much Memory?").
+
+use acrc_catalog::OperandClass;
+
+use super::{Block, Locals};
+use crate::fault::FaultKind;
+use crate::op::SCRATCH;
+
+/// Memory of an array reference, and of the table of references and of an array besides their elements.
+const REFERENCE_BYTES: u64 = 4;
+
+/// Memory of a string variable besides its characters.
+const STRING_BYTES: u64 = 4;
+
+/// What a `DIM` statement allocates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DimBlock {
+    /// `DIM LV(count)`, `DIM $V(count, length)`
+    Variables(OperandClass),
+    /// `DIM LA(count)`
+    References(OperandClass),
+    /// `DIM LA0(size)`, `DIM $A0(size, length)`
+    Array(OperandClass),
+}
+
+/// The numbers of a `DIM` statement.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sizes {
+    /// Number of the array.
+    pub(crate) array: i32,
+    /// How many variables, references or elements.
+    pub(crate) count: i32,
+    /// Characters of each string.
+    pub(crate) length: i32,
+}
+
+/// One allocation, as the report of `DIM` shows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension {
+    /// Class of the variables.
+    pub class: OperandClass,
+    /// Number of the array; `None` for plain variables and for the references of the class.
+    pub array: Option<u32>,
+    /// How many variables, references or elements.
+    pub count: u32,
+    /// Characters of each string; 0 for numbers.
+    pub length: u32,
+    /// Bytes by the guide's table.
+    pub bytes: u64,
+}
+
+/// Bytes of one number.
+const fn element_bytes(class: OperandClass) -> u64 {
+    match class {
+        OperandClass::Dv | OperandClass::Da => 8,
+        _ => 4,
+    }
+}
+
+/// Bytes of a block.
+const fn block_bytes(block: DimBlock, count: u64, length: u64) -> u64 {
+    match block {
+        DimBlock::Variables(OperandClass::StringV) => count * (STRING_BYTES + length),
+        DimBlock::Variables(class) => count * element_bytes(class),
+        DimBlock::References(_) => count * REFERENCE_BYTES + REFERENCE_BYTES,
+        // A string without characters still counts one, so that memory bounds their number.
+        DimBlock::Array(OperandClass::StringA) => count * if length == 0 { 1 } else { length },
+        DimBlock::Array(class) => count * element_bytes(class) + REFERENCE_BYTES,
+    }
+}
+
+impl Locals {
+    /// Executes a `DIM`. `reserved` bytes are in use by calls.
+    pub(crate) fn dimension(&mut self, block: DimBlock, sizes: Sizes, reserved: u64) -> Result<(), FaultKind> {
+        let negative = [sizes.count, sizes.length].into_iter().find(|size| *size < 0);
+        if let Some(size) = negative {
+            return Err(FaultKind::NegativeSize { size });
+        }
+        let (count, length) = (sizes.count.unsigned_abs(), sizes.length.unsigned_abs());
+        self.check_free(block, i64::from(sizes.array))?;
+        let needed = block_bytes(block, u64::from(count), u64::from(length));
+        let free = self.limit.saturating_sub(self.used + reserved);
+        if needed > free {
+            return Err(FaultKind::OutOfMemory { needed, free });
+        }
+        self.allocate(block, i64::from(sizes.array), count as usize, length as usize)?;
+        self.used += needed;
+        Ok(())
+    }
+
+    /// Refuses a block that has its memory already.
+    fn check_free(&mut self, block: DimBlock, array: i64) -> Result<(), FaultKind> {
+        let taken = match block {
+            DimBlock::Variables(OperandClass::Lv) => self.dimensioned.longs,
+            DimBlock::Variables(OperandClass::Sv) => self.dimensioned.singles,
+            DimBlock::Variables(OperandClass::Dv) => self.dimensioned.doubles,
+            DimBlock::Variables(_) => self.texts.dimensioned,
+            DimBlock::References(OperandClass::La) => self.long_arrays.is_dimensioned(),
+            DimBlock::References(OperandClass::Sa) => self.single_arrays.is_dimensioned(),
+            DimBlock::References(OperandClass::Da) => self.double_arrays.is_dimensioned(),
+            DimBlock::References(_) => self.text_arrays.is_dimensioned(),
+            DimBlock::Array(OperandClass::La) => self.long_arrays.undimensioned(array).map(|_| false)?,
+            DimBlock::Array(OperandClass::Sa) => self.single_arrays.undimensioned(array).map(|_| false)?,
+            DimBlock::Array(OperandClass::Da) => self.double_arrays.undimensioned(array).map(|_| false)?,
+            DimBlock::Array(_) => self.text_arrays.undimensioned(array).map(|_| false)?,
+        };
+        if taken { Err(FaultKind::Redimensioned) } else { Ok(()) }
+    }
+
+    fn allocate(&mut self, block: DimBlock, array: i64, count: usize, length: usize) -> Result<(), FaultKind> {
+        match block {
+            DimBlock::Variables(OperandClass::Lv) => {
+                self.longs.resize(SCRATCH + count, 0);
+                self.dimensioned.longs = true;
+            }
+            DimBlock::Variables(OperandClass::Dv) => {
+                self.doubles.resize(SCRATCH + count, 0.0);
+                self.dimensioned.doubles = true;
+            }
+            DimBlock::Variables(OperandClass::Sv) => {
+                self.singles.resize(count, 0.0);
+                self.dimensioned.singles = true;
+            }
+            DimBlock::Variables(_) => self.texts = Block::new(count, length),
+            DimBlock::References(OperandClass::La) => self.long_arrays.dimension_references(count),
+            DimBlock::References(OperandClass::Sa) => self.single_arrays.dimension_references(count),
+            DimBlock::References(OperandClass::Da) => self.double_arrays.dimension_references(count),
+            DimBlock::References(_) => self.text_arrays.dimension_references(count),
+            DimBlock::Array(OperandClass::La) => *self.long_arrays.undimensioned(array)? = Block::new(count, 0),
+            DimBlock::Array(OperandClass::Sa) => *self.single_arrays.undimensioned(array)? = Block::new(count, 0),
+            DimBlock::Array(OperandClass::Da) => *self.double_arrays.undimensioned(array)? = Block::new(count, 0),
+            DimBlock::Array(_) => *self.text_arrays.undimensioned(array)? = Block::new(count, length),
+        }
+        Ok(())
+    }
+
+    /// Every allocation, in the order `LV SV DV $V LA SA DA $A`, each class of arrays followed by its arrays.
+    pub fn dimensions(&self) -> Vec<Dimension> {
+        let mut all = Vec::new();
+        let scalars = [
+            (OperandClass::Lv, self.dimensioned.longs, 0),
+            (OperandClass::Sv, self.dimensioned.singles, 0),
+            (OperandClass::Dv, self.dimensioned.doubles, 0),
+            (OperandClass::StringV, self.texts.dimensioned, self.texts.length),
+        ];
+        for (class, dimensioned, length) in scalars {
+            if dimensioned {
+                all.push(Dimension::new(DimBlock::Variables(class), None, self.count(class), length));
+            }
+        }
+        list_arrays(&mut all, OperandClass::La, &self.long_arrays);
+        list_arrays(&mut all, OperandClass::Sa, &self.single_arrays);
+        list_arrays(&mut all, OperandClass::Da, &self.double_arrays);
+        list_arrays(&mut all, OperandClass::StringA, &self.text_arrays);
+        all
+    }
+}
+
+impl Dimension {
+    fn new(block: DimBlock, array: Option<u32>, count: u32, length: usize) -> Self {
+        let (DimBlock::Variables(class) | DimBlock::References(class) | DimBlock::Array(class)) = block;
+        let bytes = block_bytes(block, u64::from(count), length as u64);
+        Self { class, array, count, length: length as u32, bytes }
+    }
+}
+
+fn list_arrays<T: Clone + Default>(all: &mut Vec<Dimension>, class: OperandClass, arrays: &super::Arrays<T>) {
+    if !arrays.is_dimensioned() {
+        return;
+    }
+    all.push(Dimension::new(DimBlock::References(class), None, arrays.blocks().len() as u32, 0));
+    for (number, block) in (0..).zip(arrays.blocks()) {
+        if block.dimensioned {
+            all.push(Dimension::new(DimBlock::Array(class), Some(number), block.items.len() as u32, block.length));
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Local variables of one program, and their memory (guide, "Variable Memory Allocation" and "How Much Memory?").
+//!
+//! They are kept apart from the code of the program, because statements that are typed at the program's prompt use the same variables.
+
+mod access;
+mod arrays;
+mod dimension;
+
+use acrc_catalog::OperandClass;
+
+pub(crate) use access::round_to_single;
+pub(crate) use arrays::{Arrays, Block, place};
+pub use dimension::Dimension;
+pub(crate) use dimension::{DimBlock, Sizes};
+
+use crate::op::{SCRATCH, Slot};
+use crate::text::Text;
+
+/// Local variables and arrays: `LV SV DV $V LA SA DA $A`.
+///
+/// The first [`SCRATCH`] entries of `longs` and `doubles` belong to the statement that is being executed; `LV0` and `DV0` follow them. So an
+/// instruction addresses a variable and an intermediate result alike, and the check that a variable exists is the check of the slice.
+#[derive(Clone, Debug)]
+pub struct Locals {
+    /// Bytes that the program has for variables and calls.
+    limit: u64,
+    /// Bytes in use by variables.
+    used: u64,
+    /// Scratch, then `LV`.
+    pub(crate) longs: Vec<i32>,
+    /// Scratch, then `DV`.
+    pub(crate) doubles: Vec<f64>,
+    /// `SV`
+    pub(crate) singles: Vec<f32>,
+    /// `$V`
+    pub(crate) texts: Block<Text>,
+    /// `LA`
+    pub(crate) long_arrays: Arrays<i32>,
+    /// `SA`
+    pub(crate) single_arrays: Arrays<f32>,
+    /// `DA`
+    pub(crate) double_arrays: Arrays<f64>,
+    /// `$A`
+    pub(crate) text_arrays: Arrays<Text>,
+    dimensioned: Dimensioned,
+}
+
+/// Which of the numeric variables have their memory.
+#[derive(Clone, Copy, Debug, Default)]
+struct Dimensioned {
+    longs: bool,
+    singles: bool,
+    doubles: bool,
+}
+
+impl Locals {
+    /// No variables, and `limit` bytes for variables and calls together: what `DIM PROG` gave the program, less its stored text and its move buffer.
+    pub fn new(limit: u64) -> Self {
+        Self {
+            limit,
+            used: 0,
+            longs: vec![0; SCRATCH],
+            doubles: vec![0.0; SCRATCH],
+            singles: Vec::new(),
+            texts: Block::default(),
+            long_arrays: Arrays::new(OperandClass::La),
+            single_arrays: Arrays::new(OperandClass::Sa),
+            double_arrays: Arrays::new(OperandClass::Da),
+            text_arrays: Arrays::new(OperandClass::StringA),
+            dimensioned: Dimensioned::default(),
+        }
+    }
+
+    /// Bytes that variables and calls may use.
+    pub const fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    /// Changes what variables and calls may use. What is in use stays, even if it is more.
+    pub const fn set_limit(&mut self, limit: u64) {
+        self.limit = limit;
+    }
+
+    /// Bytes in use by variables and arrays, by the guide's table.
+    pub const fn used(&self) -> u64 {
+        self.used
+    }
+
+    /// `CLEAR`: all variables and arrays are gone.
+    pub fn clear(&mut self) {
+        *self = Self::new(self.limit);
+    }
+
+    /// How many variables there are of a class; of an array class, how many references.
+    pub fn count(&self, class: OperandClass) -> u32 {
+        let count = match class {
+            OperandClass::Lv => self.longs.len() - SCRATCH,
+            OperandClass::Dv => self.doubles.len() - SCRATCH,
+            OperandClass::Sv => self.singles.len(),
+            OperandClass::StringV => self.texts.items.len(),
+            OperandClass::La => self.long_arrays.blocks().len(),
+            OperandClass::Sa => self.single_arrays.blocks().len(),
+            OperandClass::Da => self.double_arrays.blocks().len(),
+            OperandClass::StringA => self.text_arrays.blocks().len(),
+            OperandClass::Parameter | OperandClass::Bit => 0,
+        };
+        count as u32
+    }
+}
+
+/// Slot of `LV<n>` or `DV<n>`. `None` for a variable so far up that it is reached by its number instead.
+pub(crate) fn variable_slot(index: i32) -> Option<Slot> {
+    Slot::try_from(usize::try_from(index).ok()?.checked_add(SCRATCH)?).ok()
+}

@@ -1,0 +1,114 @@
+//! Running a program.
+//!
+//! [`run`] executes statements until the budget is used up, the program ends, a command has to wait, or something goes wrong, and says which. All state lies in the
+//! frame, the local variables and the host, so a program goes on where it stopped when it is run again.
+
+mod calls;
+mod input;
+mod slow;
+mod steps;
+
+use crate::code::Code;
+use crate::fault::{Fault, FaultKind};
+use crate::frame::Frame;
+use crate::host::Host;
+use crate::locals::Locals;
+
+/// How much a program may do at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Lines that may be begun.
+    pub lines: u32,
+    /// Statements that may be begun.
+    pub statements: u32,
+}
+
+impl Budget {
+    /// Statements that one line of a budget of lines may take: far more than a line holds, so that only a loop within one line meets it.
+    const STATEMENTS_PER_LINE: u32 = 256;
+
+    /// A number of lines, as the scheduler of a controller grants them.
+    pub const fn lines(lines: u32) -> Self {
+        Self { lines, statements: lines.saturating_mul(Self::STATEMENTS_PER_LINE) }
+    }
+
+    /// A number of statements.
+    pub const fn statements(statements: u32) -> Self {
+        Self { lines: u32::MAX, statements }
+    }
+}
+
+/// Why a run stopped.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// The program ended: by `END`, at `ENDP`, behind its last line, or because a command ended it.
+    Ended,
+    /// The budget is used up.
+    Budget,
+    /// A command has to wait and is offered again by the next run.
+    Blocked,
+    /// Something went wrong. The place is in the fault.
+    Fault(Box<Fault>),
+}
+
+/// What a run did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Why it stopped.
+    pub stop: Stop,
+    /// Statements that were begun.
+    pub statements: u32,
+    /// Lines that were begun.
+    pub lines: u32,
+}
+
+/// What is left of the budget.
+#[derive(Clone, Copy, Debug)]
+struct Meter {
+    lines: u32,
+    statements: u32,
+}
+
+/// Why the fast loop was left.
+enum Exit {
+    /// An instruction that needs the whole machine.
+    Slow,
+    Ended,
+    Budget,
+}
+
+/// Runs a program.
+///
+/// The frame and the local variables must belong to the code: a frame that ran other code has to be reset first.
+pub fn run<H: Host>(code: &Code, frame: &mut Frame, locals: &mut Locals, host: &mut H, budget: Budget) -> Run {
+    frame.prepare(code.loops, code.value_slots);
+    let mut meter = Meter { lines: budget.lines, statements: budget.statements };
+    let stop = match execute(code, frame, locals, host, &mut meter) {
+        Ok(stop) => stop,
+        Err(kind) => {
+            frame.held = false;
+            Stop::Fault(Box::new(Fault { kind, pc: frame.pc }))
+        }
+    };
+    Run { stop, statements: budget.statements - meter.statements, lines: budget.lines - meter.lines }
+}
+
+fn execute<H: Host>(
+    code: &Code,
+    frame: &mut Frame,
+    locals: &mut Locals,
+    host: &mut H,
+    meter: &mut Meter,
+) -> Result<Stop, FaultKind> {
+    loop {
+        match steps::steps(code, frame, locals, host, meter)? {
+            Exit::Ended => return Ok(Stop::Ended),
+            Exit::Budget => return Ok(Stop::Budget),
+            Exit::Slow => {
+                if let Some(stop) = slow::slow(code, frame, locals, host)? {
+                    return Ok(stop);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Instructions that need the whole machine: calls of the host, memory, strings, variables by computed numbers.
+
+use super::Stop;
+use super::calls::{self, Files};
+use crate::code::Code;
+use crate::fault::FaultKind;
+use crate::frame::Frame;
+use crate::host::Host;
+use crate::locals::{Locals, Sizes};
+use crate::op::{DeviceQuery, Op, Slot};
+use crate::text::Text;
+use crate::value::Value;
+
+/// Executes the instruction that the frame points at, and moves on. Gives a reason if the run stops here.
+pub(super) fn slow<H: Host>(
+    code: &Code,
+    frame: &mut Frame,
+    locals: &mut Locals,
+    host: &mut H,
+) -> Result<Option<Stop>, FaultKind> {
+    let Some(op) = code.ops.get(frame.pc as usize) else { return Ok(Some(Stop::Ended)) };
+    match *op {
+        Op::Call { index } => return calls::call(code, frame, locals, host, index),
+        Op::Device { query, to, device } => {
+            let device = long(locals, device)?;
+            match ask(host, query, device)? {
+                Some(value) => set(frame, to, value),
+                None => {
+                    // The whole statement is evaluated again when a character may have come.
+                    frame.pc = code.statement_start(frame.pc);
+                    return Ok(Some(Stop::Blocked));
+                }
+            }
+        }
+        Op::TextCall { function, to, from, count } => {
+            let start = usize::from(from);
+            let arguments = frame.values.get(start..start + usize::from(count)).unwrap_or_default();
+            let value = function.evaluate(arguments)?;
+            set(frame, to, value);
+        }
+        Op::LoadVariable { class, to, index } => {
+            let value = locals.read_variable(class, i64::from(long(locals, index)?))?;
+            set(frame, to, value);
+        }
+        Op::StoreVariable { class, index, from } => {
+            let index = i64::from(long(locals, index)?);
+            locals.write_variable(class, index, value(frame, from)?)?;
+        }
+        Op::LoadElement { class, to, array, element } => {
+            let (array, element) = (i64::from(long(locals, array)?), i64::from(long(locals, element)?));
+            let value = locals.read_element(class, array, element)?;
+            set(frame, to, value);
+        }
+        Op::StoreElement { class, array, element, from } => {
+            let (array, element) = (i64::from(long(locals, array)?), i64::from(long(locals, element)?));
+            locals.write_element(class, array, element, value(frame, from)?)?;
+        }
+        Op::Dim { block, array, count, length } => {
+            let sizes =
+                Sizes { array: long(locals, array)?, count: long(locals, count)?, length: long(locals, length)? };
+            locals.dimension(block, sizes, frame.memory())?;
+        }
+        Op::Clear => locals.clear(),
+        _ => {}
+    }
+    frame.pc += 1;
+    Ok(None)
+}
+
+/// Asks a device. `None` when there is nothing yet to wait for.
+fn ask<H: Host>(host: &mut H, query: DeviceQuery, device: i32) -> Result<Option<Value>, FaultKind> {
+    Ok(match query {
+        DeviceQuery::Waits => Some(Value::truth_value(host.character_waits(device)?)),
+        DeviceQuery::AwaitCharacter => host.take_character(device)?.map(|character| Value::Long(i32::from(character))),
+        DeviceQuery::TakeCharacter => {
+            let character = host.take_character(device)?;
+            Some(Value::Text(Text::from(character.as_slice())))
+        }
+    })
+}
+
+fn long(locals: &Locals, slot: Slot) -> Result<i32, FaultKind> {
+    Files { locals, values: &[] }.long(slot)
+}
+
+fn value(frame: &Frame, slot: Slot) -> Result<&Value, FaultKind> {
+    frame.values.get(usize::from(slot)).ok_or(FaultKind::NumberExpected)
+}
+
+fn set(frame: &mut Frame, slot: Slot, value: Value) {
+    if let Some(place) = frame.values.get_mut(usize::from(slot)) {
+        *place = value;
+    }
+}

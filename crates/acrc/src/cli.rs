@@ -1,0 +1,213 @@
+//! The arguments of the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
+#[derive(Debug, Parser)]
+#[command(
+    name = "acrc",
+    version,
+    about = "A toolchain for AcroBASIC, the language of Parker ACR motion controllers",
+    after_help = "A PROJECT is a folder with an acrc.toml, a folder with Setup.8K, ProgN.8K and PLCn.8K, or a single file.\n\
+                  Exit status: 0 clean, 1 findings or run-time errors, 2 could not run, 130 interrupted."
+)]
+pub(crate) struct Arguments {
+    /// When to use colours
+    #[arg(long, global = true, value_enum, default_value_t = ColorChoice::Auto, value_name = "WHEN")]
+    pub(crate) color: ColorChoice,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// When to use colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColorChoice {
+    /// On a terminal, unless `NO_COLOR` is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Check programs and say what the controller would refuse or do differently
+    Lint(LintArguments),
+    /// Compile a project into an image
+    Build(BuildArguments),
+    /// Print the programs of an image as the controller lists them
+    List(ListArguments),
+    /// Run a project in virtual time and say what the machine does
+    Sim(SimArguments),
+    /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
+    Explain(ExplainArguments),
+}
+
+/// `acrc lint`
+#[derive(Args, Debug)]
+#[command(after_help = "Exit status: 0 nothing to report at the level of --fail-on, 1 findings, 2 could not run.")]
+pub(crate) struct LintArguments {
+    /// Projects to check
+    #[arg(default_value = ".", value_name = "PROJECT")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// How findings are shown
+    #[arg(long, value_enum, default_value_t = LintFormat::Text)]
+    pub(crate) format: LintFormat,
+    /// The mildest finding that makes the exit status 1 [default: warning, or what acrc.toml says]
+    #[arg(long, value_enum, value_name = "SEVERITY")]
+    pub(crate) fail_on: Option<FailOn>,
+}
+
+/// Forms of lint output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LintFormat {
+    /// The source with each finding marked
+    Text,
+    /// One line a finding
+    Concise,
+    /// One JSON object
+    Json,
+}
+
+/// Findings that count as failure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FailOn {
+    /// No finding
+    Never,
+    /// Errors and warnings
+    Warning,
+    /// Errors only
+    Error,
+}
+
+/// `acrc build`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Nothing is written unless the whole project compiles.\nExit status: 0 written, 1 the project has errors, 2 could not run."
+)]
+pub(crate) struct BuildArguments {
+    /// The project
+    #[arg(default_value = ".")]
+    pub(crate) project: PathBuf,
+    /// The image to write
+    #[arg(short, long, value_name = "FILE.acrx")]
+    pub(crate) output: PathBuf,
+    /// Leave out the places in the source, which run-time errors are reported with
+    #[arg(long)]
+    pub(crate) strip: bool,
+}
+
+/// `acrc list`
+#[derive(Args, Debug)]
+pub(crate) struct ListArguments {
+    /// The image
+    #[arg(value_name = "FILE.acrx")]
+    pub(crate) image: PathBuf,
+    /// List only these programs
+    #[arg(long = "program", value_name = "PROGn,...", value_delimiter = ',', value_parser = parse_program)]
+    pub(crate) programs: Vec<u8>,
+    /// Show line numbers
+    #[arg(short = 'n', long)]
+    pub(crate) line_numbers: bool,
+}
+
+/// `acrc sim`
+#[derive(Args, Debug)]
+#[command(after_help = "Without --run, the programs that begin with PBOOT are started, as at power-up.\n\
+                        A program that never ends is stopped at --until; that is no error.\n\
+                        Exit status: 0 the run went well, 1 a run-time error occurred, 2 could not run, 130 interrupted.")]
+pub(crate) struct SimArguments {
+    /// The project
+    #[arg(default_value = ".")]
+    pub(crate) project: PathBuf,
+    /// Programs to start
+    #[arg(long, value_name = "PROGn,...", value_delimiter = ',', value_parser = parse_program)]
+    pub(crate) run: Vec<u8>,
+    /// The machine around the controller: scripted inputs
+    #[arg(long, value_name = "world.toml")]
+    pub(crate) world: Option<PathBuf>,
+    /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]
+    #[arg(long, value_name = "TIME", value_parser = parse_time)]
+    pub(crate) until: Option<f64>,
+    /// Write position, velocity and acceleration of every axis and the inputs and outputs used
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) trace: Option<PathBuf>,
+    /// Virtual time between two rows of the trace
+    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = parse_time)]
+    pub(crate) trace_every: f64,
+    /// Draw the run
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Parameters and flags to report at the end
+    #[arg(long, value_name = "P12288,BIT32,...", value_delimiter = ',', value_parser = parse_register)]
+    pub(crate) read: Vec<Register>,
+    /// Seed of the random numbers of RND
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// How the run is shown
+    #[arg(long, value_enum, default_value_t = SimFormat::Text)]
+    pub(crate) format: SimFormat,
+}
+
+/// Forms of the report of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SimFormat {
+    /// Output of the programs as it happens, then a summary
+    Text,
+    /// One JSON object at the end
+    Json,
+}
+
+/// `acrc explain`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Examples: acrc explain JOG HOME, acrc explain P12290, acrc explain BIT8467, acrc explain KAMR, acrc explain ACR101"
+)]
+pub(crate) struct ExplainArguments {
+    /// What to explain
+    #[arg(required = true, value_name = "TOPIC")]
+    pub(crate) topic: Vec<String>,
+}
+
+/// A parameter or flag by number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Register {
+    /// `P12288`
+    Parameter(u32),
+    /// `BIT32`
+    Bit(u32),
+}
+
+fn parse_program(text: &str) -> Result<u8, String> {
+    let digits = text.get(..4).filter(|word| word.eq_ignore_ascii_case("PROG")).map_or(text, |_| &text[4..]);
+    let number = digits.trim().parse::<u8>().ok().filter(|number| *number < 16);
+    number.ok_or_else(|| "programs are PROG0 to PROG15".to_owned())
+}
+
+fn parse_time(text: &str) -> Result<f64, String> {
+    acrc_controller::time::parse_duration(text).map_err(|error| error.to_string())
+}
+
+fn parse_register(text: &str) -> Result<Register, String> {
+    let upper = text.trim().to_ascii_uppercase();
+    let number = |digits: &str| digits.trim().parse::<u32>().ok();
+    let register = match (upper.strip_prefix("BIT"), upper.strip_prefix('P')) {
+        (Some(digits), _) => number(digits).map(Register::Bit),
+        (None, Some(digits)) => number(digits).map(Register::Parameter),
+        (None, None) => None,
+    };
+    register.ok_or_else(|| "write P and a number or BIT and a number, for example P12288 or BIT32".to_owned())
+}
+
+impl std::fmt::Display for Register {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Parameter(number) => write!(f, "P{number}"),
+            Self::Bit(number) => write!(f, "BIT{number}"),
+        }
+    }
+}

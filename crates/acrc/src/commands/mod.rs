@@ -1,0 +1,22 @@
+//! The subcommands, one file each.
+
+mod build;
+mod explain;
+mod lint;
+mod list;
+mod project;
+mod sim;
+
+use crate::cli::{Arguments, Command};
+use crate::exit::Exit;
+
+/// Runs the subcommand that was given.
+pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
+    match &arguments.command {
+        Command::Lint(lint) => lint::run(lint, arguments.color),
+        Command::Build(build) => build::run(build, arguments.color),
+        Command::List(list) => list::run(list),
+        Command::Sim(sim) => sim::run(sim, arguments.color),
+        Command::Explain(explain) => explain::run(explain),
+    }
+}

@@ -1,0 +1,163 @@
+//! The report of a run as one JSON object. It holds nothing that differs between two runs of the same project.
+
+use std::collections::BTreeMap;
+
+use acrc_controller::Stopped;
+use acrc_vm::Value;
+use serde::Serialize;
+
+use super::observer::source;
+use super::summary::{Report, all_notes};
+use crate::output;
+
+#[derive(Serialize)]
+struct Document {
+    virtual_seconds: f64,
+    /// `ended`, `until`, `interrupted`, or `fault` when a run-time error ended it.
+    stopped: &'static str,
+    programs: Vec<Program>,
+    axes: Vec<Axis>,
+    moves: Vec<Moves>,
+    output: Vec<Output>,
+    faults: Vec<Fault>,
+    notes: Vec<String>,
+    values: BTreeMap<String, serde_json::Value>,
+}
+
+#[derive(Serialize)]
+struct Program {
+    program: String,
+    state: &'static str,
+    line: Option<u32>,
+    statements: u64,
+}
+
+#[derive(Serialize)]
+struct Axis {
+    axis: u8,
+    name: Option<String>,
+    position: f64,
+    travel: f64,
+    peak_velocity: f64,
+    peak_acceleration: f64,
+}
+
+#[derive(Serialize)]
+struct Moves {
+    master: u8,
+    moves: u64,
+    motion_seconds: f64,
+}
+
+#[derive(Serialize)]
+struct Output {
+    time: f64,
+    program: Option<String>,
+    device: i32,
+    text: String,
+}
+
+#[derive(Serialize)]
+struct Fault {
+    time: f64,
+    program: Option<String>,
+    file: Option<String>,
+    line: Option<u32>,
+    statement: u32,
+    message: String,
+}
+
+/// Prints the report.
+pub(super) fn print(report: &Report) -> anyhow::Result<()> {
+    let document = document(report);
+    output::print(|out| {
+        serde_json::to_writer_pretty(&mut *out, &document)?;
+        out.write_all(b"\n")
+    })
+}
+
+fn document(report: &Report) -> Document {
+    let controller = report.controller;
+    let program_name = |number: Option<u8>| number.map(|number| source(Some(number), 0));
+    Document {
+        virtual_seconds: controller.seconds(),
+        stopped: match report.stopped {
+            Stopped::Ended if controller.faulted() => "fault",
+            Stopped::Ended => "ended",
+            Stopped::Until => "until",
+            Stopped::Interrupted => "interrupted",
+        },
+        programs: controller
+            .programs()
+            .into_iter()
+            .map(|program| Program {
+                program: source(Some(program.program), 0),
+                state: program.state.name(),
+                line: program.line,
+                statements: program.statements,
+            })
+            .collect(),
+        axes: controller
+            .axes()
+            .into_iter()
+            .map(|axis| Axis {
+                axis: axis.axis,
+                name: axis.name,
+                position: axis.position,
+                travel: axis.statistics.travel,
+                peak_velocity: axis.statistics.peak_velocity,
+                peak_acceleration: axis.statistics.peak_acceleration,
+            })
+            .collect(),
+        moves: controller
+            .masters()
+            .into_iter()
+            .map(|master| Moves {
+                master: master.master,
+                moves: master.statistics.moves,
+                motion_seconds: master.motion_seconds,
+            })
+            .collect(),
+        output: report
+            .record
+            .output
+            .iter()
+            .map(|line| Output {
+                time: line.seconds,
+                program: program_name(line.program),
+                device: line.device,
+                text: line.text.clone(),
+            })
+            .collect(),
+        faults: report
+            .record
+            .faults
+            .iter()
+            .map(|fault| Fault {
+                time: fault.seconds,
+                program: program_name(fault.program),
+                file: fault.file.clone(),
+                line: fault.line,
+                statement: fault.statement,
+                message: fault.message.clone(),
+            })
+            .collect(),
+        notes: all_notes(report),
+        values: report.read.iter().map(|register| (register.to_string(), json(report.value(*register)))).collect(),
+    }
+}
+
+/// Whole numbers without a point, what could not be read as null.
+fn json(value: Result<Value, String>) -> serde_json::Value {
+    match value {
+        Ok(Value::Long(number)) => number.into(),
+        Ok(Value::Single(number)) => real(f64::from(number)),
+        Ok(Value::Double(number)) => real(number),
+        Ok(Value::Text(_)) | Err(_) => serde_json::Value::Null,
+    }
+}
+
+fn real(number: f64) -> serde_json::Value {
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if number.fract() == 0.0 && number.abs() <= EXACT { (number as i64).into() } else { number.into() }
+}

@@ -1,0 +1,156 @@
+//! `acrc sim`: runs a project in virtual time.
+
+mod json;
+mod observer;
+mod recorder;
+mod signals;
+mod summary;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use acrc_analysis::project::LoadedProject;
+use acrc_controller::world::World;
+use acrc_controller::{Controller, Options, Stopped};
+use acrc_image::{Image, UnitName};
+use acrc_syntax::units::Level;
+use anyhow::{Context as _, bail};
+
+use self::observer::RunObserver;
+use self::recorder::Recorder;
+use super::project::{compile, load};
+use crate::cli::{ColorChoice, Register, SimArguments, SimFormat};
+use crate::exit::Exit;
+use crate::output::Terminal;
+
+/// Virtual time of a run when nothing else is said, in seconds.
+const DEFAULT_UNTIL: f64 = 60.0;
+
+pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Result<Exit> {
+    let project = load(&arguments.project)?;
+    let world = load_world(arguments, &project)?;
+    let Some(image) = compile(&project, Terminal::error(color))? else {
+        bail!("{} cannot be run before that is mended", project.name);
+    };
+    let image = Arc::new(image);
+    let start = programs_to_start(arguments, &project, &image)?;
+    refuse_unsupported(&image, &start)?;
+    let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
+    let mut recorder = Recorder::new(arguments, &image, &world)?;
+    let options = Options { world, seed: arguments.seed };
+    let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
+    check_registers(&controller, &arguments.read)?;
+
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("cannot watch for Ctrl-C")?;
+    let live = arguments.format == SimFormat::Text;
+    let mut observer = RunObserver::new(&mut recorder, live, Terminal::output(color), &interrupted);
+    let begun = Instant::now();
+    let stopped = controller.run(&start, until, &mut observer);
+    let wall = begun.elapsed();
+    let record = observer.finish()?;
+
+    let exit = exit_of(stopped, &controller);
+    let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(&project.name)? };
+    let report = summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read };
+    match arguments.format {
+        SimFormat::Text => summary::print(&report, wall, until, &files, Terminal::output(color))?,
+        SimFormat::Json => json::print(&report)?,
+    }
+    Ok(exit)
+}
+
+fn exit_of(stopped: Stopped, controller: &Controller) -> Exit {
+    match stopped {
+        Stopped::Interrupted => Exit::Interrupted,
+        _ if controller.faulted() => Exit::Findings,
+        Stopped::Ended | Stopped::Until => Exit::Clean,
+    }
+}
+
+/// The world of the command line, else of the project, else an ideal machine.
+fn load_world(arguments: &SimArguments, project: &LoadedProject) -> anyhow::Result<World> {
+    let configured = project.config.sim.world.as_ref().map(|path| project.root.join(path).into_std_path_buf());
+    let Some(path) = arguments.world.clone().or(configured) else { return Ok(World::default()) };
+    let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read the world {}", path.display()))?;
+    World::parse(&text).with_context(|| format!("{} is no valid world", path.display()))
+}
+
+/// The programs of `--run`, else of the project, else those that begin with `PBOOT`.
+fn programs_to_start(arguments: &SimArguments, project: &LoadedProject, image: &Image) -> anyhow::Result<Vec<u8>> {
+    let mut asked = arguments.run.clone();
+    if let (true, Some(targets)) = (asked.is_empty(), &project.config.sim.run) {
+        for target in targets {
+            match target.0 {
+                Level::Program(number) => asked.push(number),
+                Level::Plc(number) => bail!("PLC{number} cannot be started: the dry run does not execute PLC programs"),
+                Level::System => {}
+            }
+        }
+    }
+    let stored: Vec<u8> = image.programs.iter().filter_map(|unit| program_number(unit.name)).collect();
+    if asked.is_empty() {
+        asked = Controller::boot_programs(image);
+        if asked.is_empty() && !stored.is_empty() && !starts_programs(image) {
+            bail!("no program starts by itself: none begins with PBOOT. --run {} starts one", list(&stored));
+        }
+    }
+    if let Some(missing) = asked.iter().find(|number| !stored.contains(number)) {
+        let there = if stored.is_empty() { "no program".to_owned() } else { list(&stored) };
+        bail!("PROG{missing} has no text: {} holds {there}", arguments.project.display());
+    }
+    asked.sort_unstable();
+    asked.dedup();
+    Ok(asked)
+}
+
+/// Whether setup code runs programs.
+fn starts_programs(image: &Image) -> bool {
+    use acrc_catalog::command::{LRUN, RUN};
+    let instructions = image.boot.decode().unwrap_or_default();
+    instructions.iter().any(|instruction| matches!(instruction.command, RUN | LRUN))
+}
+
+fn program_number(name: UnitName) -> Option<u8> {
+    match name {
+        UnitName::Program(number) => Some(number),
+        UnitName::Boot | UnitName::Plc(_) => None,
+    }
+}
+
+fn list(programs: &[u8]) -> String {
+    programs.iter().map(|number| format!("PROG{number}")).collect::<Vec<_>>().join(",")
+}
+
+/// A run that would have to leave something out does not begin.
+fn refuse_unsupported(image: &Image, start: &[u8]) -> anyhow::Result<()> {
+    let unsupported = Controller::unsupported(image, start);
+    if unsupported.is_empty() {
+        return Ok(());
+    }
+    let mut lines: Vec<String> = unsupported
+        .iter()
+        .map(|item| {
+            let file = item.file.clone().unwrap_or_else(|| item.unit.to_string());
+            let line = item.line.map_or_else(String::new, |line| format!(":{line}"));
+            format!("  {file}{line}: {}", item.command.info().name)
+        })
+        .collect();
+    lines.dedup();
+    bail!("the dry run does not simulate these commands, so it does not begin:\n{}", lines.join("\n"))
+}
+
+/// `--read` is checked before the run, which may be long.
+fn check_registers(controller: &Controller, registers: &[Register]) -> anyhow::Result<()> {
+    for register in registers {
+        match register {
+            Register::Bit(number) => controller.bit(i64::from(*number)).map(drop)?,
+            // User parameters get their memory while the setup code runs.
+            Register::Parameter(number) if *number < 4096 => {}
+            Register::Parameter(number) => controller.parameter(i64::from(*number)).map(drop)?,
+        }
+    }
+    Ok(())
+}

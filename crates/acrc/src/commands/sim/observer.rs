@@ -1,0 +1,145 @@
+//! Takes what a run produces: shows it as it happens and keeps it for the report.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use acrc_controller::world::WorldEvent;
+use acrc_controller::{FaultReport, Observer, View};
+use anyhow::Context as _;
+
+use super::recorder::Recorder;
+use crate::output::Terminal;
+
+/// Output kept for the report, at most; later lines are counted only.
+const KEPT_OUTPUT: usize = 100_000;
+
+/// A line that a program sent to a device.
+#[derive(Debug)]
+pub(super) struct Line {
+    pub(super) seconds: f64,
+    pub(super) program: Option<u8>,
+    pub(super) device: i32,
+    pub(super) text: String,
+}
+
+/// What a run produced.
+#[derive(Debug, Default)]
+pub(super) struct Record {
+    pub(super) output: Vec<Line>,
+    /// Lines beyond those that are kept.
+    pub(super) dropped: u64,
+    pub(super) faults: Vec<FaultReport>,
+}
+
+/// The observer of `acrc sim`.
+pub(super) struct RunObserver<'a> {
+    recorder: &'a mut Recorder,
+    live: bool,
+    terminal: Terminal,
+    interrupted: &'a AtomicBool,
+    record: Record,
+    /// Text of lines that have not ended yet, by program and device, with the time of their first character.
+    open: BTreeMap<(Option<u8>, i32), (f64, String)>,
+    failure: Option<anyhow::Error>,
+}
+
+impl<'a> RunObserver<'a> {
+    pub(super) fn new(recorder: &'a mut Recorder, live: bool, terminal: Terminal, interrupted: &'a AtomicBool) -> Self {
+        Self { recorder, live, terminal, interrupted, record: Record::default(), open: BTreeMap::new(), failure: None }
+    }
+
+    /// What was recorded, with the lines that never ended; or why it could not be shown or written.
+    pub(super) fn finish(mut self) -> anyhow::Result<Record> {
+        for ((program, device), (seconds, text)) in std::mem::take(&mut self.open) {
+            self.line(Line { seconds, program, device, text });
+        }
+        match self.failure {
+            Some(error) => Err(error),
+            None => Ok(self.record),
+        }
+    }
+
+    fn line(&mut self, line: Line) {
+        if self.live {
+            let source = source(line.program, line.device);
+            self.show(line.seconds, &source, &line.text);
+        }
+        if self.record.output.len() < KEPT_OUTPUT {
+            self.record.output.push(line);
+        } else {
+            self.record.dropped += 1;
+        }
+    }
+
+    fn show(&mut self, seconds: f64, source: &str, text: &str) {
+        let time = self.terminal.faint(&format!("{seconds:>10.3} s"));
+        let visible: String = text.chars().map(printable).collect();
+        let mut out = io::stdout().lock();
+        let result = writeln!(out, "{time}  {source:<8}  {visible}").context("cannot write to standard output");
+        self.fail(result);
+    }
+
+    fn fail(&mut self, result: anyhow::Result<()>) {
+        if let Err(error) = result {
+            self.failure.get_or_insert(error);
+        }
+    }
+}
+
+/// Where a line came from.
+pub(super) fn source(program: Option<u8>, device: i32) -> String {
+    let program = program.map_or_else(|| "setup".to_owned(), |number| format!("PROG{number}"));
+    if device == 0 { program } else { format!("{program} #{device}") }
+}
+
+/// A program may print anything; a terminal shall not act on it.
+fn printable(character: char) -> char {
+    if character.is_control() && character != '\t' { '\u{fffd}' } else { character }
+}
+
+impl Observer for RunObserver<'_> {
+    fn output(&mut self, seconds: f64, program: Option<u8>, device: i32, text: &str) {
+        let mut parts = text.split("\r\n").peekable();
+        while let Some(part) = parts.next() {
+            let ends = parts.peek().is_some();
+            if !ends && part.is_empty() {
+                break;
+            }
+            let open = self.open.entry((program, device)).or_insert_with(|| (seconds, String::new()));
+            open.1.push_str(part);
+            if ends && let Some((seconds, text)) = self.open.remove(&(program, device)) {
+                self.line(Line { seconds, program, device, text });
+            }
+        }
+    }
+
+    fn fault(&mut self, fault: &FaultReport) {
+        if self.live {
+            let word = self.terminal.error_word("fault");
+            let pad = " ".repeat("PROGn   ".len() - "fault".len());
+            self.show(fault.seconds, &format!("{word}{pad}"), &fault.to_string());
+        }
+        self.record.faults.push(fault.clone());
+    }
+
+    fn event(&mut self, seconds: f64, event: &WorldEvent, view: &View) {
+        if self.live {
+            let name = |bit: &u32| view.world().input_name(*bit).map_or_else(|| format!("BIT{bit}"), str::to_owned);
+            let on = event.set.iter().map(|bit| format!("{} on", name(bit)));
+            let off = event.clear.iter().map(|bit| format!("{} off", name(bit)));
+            let changes = on.chain(off).collect::<Vec<_>>().join(", ");
+            self.show(seconds, "world", &changes);
+        }
+        self.recorder.event(seconds, event);
+    }
+
+    fn tick(&mut self, view: &View) {
+        let result = self.recorder.tick(view);
+        self.fail(result);
+    }
+
+    fn interrupted(&mut self) -> bool {
+        self.interrupted.load(Ordering::Relaxed) || self.failure.is_some()
+    }
+}

@@ -1,0 +1,143 @@
+//! Records the signals of a run into a trace file and for a plot.
+
+use std::path::PathBuf;
+
+use acrc_controller::View;
+use acrc_controller::world::{World, WorldEvent};
+use acrc_image::Image;
+use acrc_trace::Trace;
+use acrc_trace::csv::CsvWriter;
+use acrc_trace::plot::{self, Event, PlotOptions};
+use anyhow::{Context as _, bail};
+
+use super::signals::Signals;
+use crate::cli::SimArguments;
+use crate::output::{OutputFile, write_file};
+
+/// Rows kept for a plot. Beyond that every second one is dropped, and from then on half as many are taken.
+const PLOT_ROWS: usize = 200_000;
+
+/// Records a run.
+pub(super) struct Recorder {
+    signals: Signals,
+    csv: Option<CsvFile>,
+    plot: Option<Plot>,
+    every: f64,
+    /// Ticks between two samples; known from the first sample on.
+    stride: u64,
+    row: Vec<f64>,
+}
+
+struct CsvFile {
+    path: PathBuf,
+    writer: CsvWriter<OutputFile>,
+}
+
+struct Plot {
+    path: PathBuf,
+    trace: Trace,
+    events: Vec<Event>,
+    /// Every how manieth sample is kept.
+    keep: u64,
+    samples: u64,
+}
+
+impl Recorder {
+    /// Opens the files that were asked for.
+    pub(super) fn new(arguments: &SimArguments, image: &Image, world: &World) -> anyhow::Result<Self> {
+        if arguments.trace_every <= 0.0 {
+            bail!("--trace-every: the time between two rows must be above 0");
+        }
+        let signals = Signals::new(image, world);
+        let csv = match &arguments.trace {
+            Some(path) => {
+                let writer = CsvWriter::new(OutputFile::create(path)?, &signals.columns())
+                    .with_context(|| format!("cannot write {}", path.display()))?;
+                Some(CsvFile { path: path.clone(), writer })
+            }
+            None => None,
+        };
+        let plot = match &arguments.plot {
+            Some(path) => {
+                // Find out now, not after the run, that the file cannot be written.
+                drop(OutputFile::create(path)?);
+                let trace = Trace::new(signals.plotted());
+                Some(Plot { path: path.clone(), trace, events: Vec::new(), keep: 1, samples: 0 })
+            }
+            None => None,
+        };
+        Ok(Self { signals, csv, plot, every: arguments.trace_every, stride: 0, row: Vec::new() })
+    }
+
+    /// Samples when a row is due.
+    pub(super) fn tick(&mut self, view: &View) -> anyhow::Result<()> {
+        if self.csv.is_none() && self.plot.is_none() {
+            return Ok(());
+        }
+        if self.stride == 0 {
+            self.stride = ((self.every / view.period()).round() as u64).max(1);
+        }
+        if !view.ticks().is_multiple_of(self.stride) {
+            return Ok(());
+        }
+        self.signals.sample(view, &mut self.row);
+        if let Some(csv) = &mut self.csv {
+            csv.writer
+                .row(view.seconds(), &self.row)
+                .with_context(|| format!("cannot write {}", csv.path.display()))?;
+        }
+        if let Some(plot) = &mut self.plot {
+            plot.sample(view.seconds(), &self.row)?;
+        }
+        Ok(())
+    }
+
+    /// Marks an event of the world in the plot.
+    pub(super) fn event(&mut self, seconds: f64, event: &WorldEvent) {
+        if let (Some(plot), Some(note)) = (&mut self.plot, &event.note) {
+            plot.events.push(Event { time: seconds, text: note.clone() });
+        }
+    }
+
+    /// Completes the files; gives back what each is and where.
+    pub(super) fn finish(self, name: &str) -> anyhow::Result<Vec<(&'static str, PathBuf)>> {
+        let mut files = Vec::new();
+        if let Some(CsvFile { path, writer }) = self.csv {
+            writer.finish().with_context(|| format!("cannot write {}", path.display()))?.finish()?;
+            files.push(("trace", path));
+        }
+        if let Some(plot) = self.plot {
+            let options = PlotOptions { title: name.to_owned(), events: plot.events, ..PlotOptions::default() };
+            write_file(&plot.path, plot::svg(&plot.trace, &options).as_bytes())?;
+            files.push(("plot", plot.path));
+        }
+        Ok(files)
+    }
+}
+
+impl Plot {
+    fn sample(&mut self, seconds: f64, row: &[f64]) -> anyhow::Result<()> {
+        self.samples += 1;
+        if !(self.samples - 1).is_multiple_of(self.keep) {
+            return Ok(());
+        }
+        if self.trace.rows() >= PLOT_ROWS {
+            self.thin_out()?;
+        }
+        Ok(self.trace.push(seconds, row)?)
+    }
+
+    fn thin_out(&mut self) -> anyhow::Result<()> {
+        let full = std::mem::replace(&mut self.trace, Trace::new(Vec::new()));
+        let mut thinner = Trace::new(full.signals().to_vec());
+        let mut values = Vec::with_capacity(full.signals().len());
+        for (index, time) in full.times().iter().enumerate().step_by(2) {
+            values.clear();
+            values.extend((0..full.signals().len()).filter_map(|signal| full.value(index, signal)));
+            thinner.push(*time, &values)?;
+        }
+        self.trace = thinner;
+        self.keep *= 2;
+        Ok(())
+    }
+}

@@ -1,0 +1,27 @@
+//! `acrc`: the command line. One file a subcommand; the work is done in the libraries.
+//!
+//! Exit status of every subcommand: 0 done and clean, 1 findings or run-time errors, 2 could not run, 130 interrupted.
+
+mod cli;
+mod commands;
+mod exit;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::exit::Exit;
+
+fn main() -> ExitCode {
+    // A usage error ends here with status 2, `--help` and `--version` with 0.
+    let arguments = cli::Arguments::parse();
+    let result = commands::run(&arguments);
+    exit::report(result, output::Terminal::error(arguments.color)).into()
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit.status())
+    }
+}

@@ -1,0 +1,131 @@
+//! What goes to the terminal and into files.
+
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal as _, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use tempfile::NamedTempFile;
+
+use crate::cli::ColorChoice;
+
+/// Whether a stream takes colours.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Terminal {
+    /// Colours may be used.
+    pub(crate) color: bool,
+}
+
+impl Terminal {
+    /// For standard output.
+    pub(crate) fn output(choice: ColorChoice) -> Self {
+        Self::new(choice, io::stdout().is_terminal())
+    }
+
+    /// For standard error.
+    pub(crate) fn error(choice: ColorChoice) -> Self {
+        Self::new(choice, io::stderr().is_terminal())
+    }
+
+    /// `NO_COLOR` (no-color.org) counts when it is set and not empty; `--color` overrules it.
+    fn new(choice: ColorChoice, terminal: bool) -> Self {
+        let color = match choice {
+            ColorChoice::Always => true,
+            ColorChoice::Never => false,
+            ColorChoice::Auto => {
+                let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+                let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+                terminal && !refused && !dumb
+            }
+        };
+        Self { color }
+    }
+
+    fn paint(self, code: &str, text: &str) -> String {
+        if self.color { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
+    }
+
+    /// A word that announces an error.
+    pub(crate) fn error_word(self, text: &str) -> String {
+        self.paint("1;31", text)
+    }
+
+    /// A word that announces a warning.
+    pub(crate) fn warning_word(self, text: &str) -> String {
+        self.paint("1;33", text)
+    }
+
+    /// Text that heads a part.
+    pub(crate) fn heading(self, text: &str) -> String {
+        self.paint("1", text)
+    }
+
+    /// Text of less weight.
+    pub(crate) fn faint(self, text: &str) -> String {
+        self.paint("2", text)
+    }
+}
+
+/// Writes to standard output and tells whether that worked, up to the last byte.
+pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    write(&mut out).and_then(|()| out.flush()).context("cannot write to standard output")
+}
+
+/// A file that appears under its name only when it is complete: it is written beside its place and renamed.
+#[derive(Debug)]
+pub(crate) struct OutputFile {
+    path: PathBuf,
+    file: BufWriter<NamedTempFile>,
+}
+
+impl OutputFile {
+    /// Begins a file. Fails at once when its folder does not exist or cannot be written.
+    pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
+        let refuse = || format!("cannot write {}", path.display());
+        if path.is_dir() {
+            anyhow::bail!("{}: it is a directory", refuse());
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let file = tempfile::Builder::new().prefix(".acrc-").tempfile_in(folder).with_context(refuse)?;
+        Ok(Self { path: path.to_owned(), file: BufWriter::with_capacity(1 << 16, file) })
+    }
+
+    /// Gives the complete file its name.
+    pub(crate) fn finish(self) -> anyhow::Result<()> {
+        let refuse = || format!("cannot write {}", self.path.display());
+        let file = self.file.into_inner().map_err(io::IntoInnerError::into_error).with_context(refuse)?;
+        give_usual_permissions(file.as_file()).with_context(refuse)?;
+        file.persist(&self.path).map_err(|error| error.error).with_context(refuse)?;
+        Ok(())
+    }
+}
+
+impl Write for OutputFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// A temporary file is private; a result is for everybody who may read the folder.
+#[cfg(unix)]
+fn give_usual_permissions(file: &File) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    file.set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn give_usual_permissions(_: &File) -> io::Result<()> {
+    Ok(())
+}
+
+/// Writes a whole file.
+pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    let mut file = OutputFile::create(path)?;
+    file.write_all(bytes).with_context(|| format!("cannot write {}", path.display()))?;
+    file.finish()
+}
