@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use acrc_catalog::command;
+use acrc_catalog::{CommandId, command};
 use acrc_diagnostics::Span;
-use acrc_image::{Location, Node, Separator, Unit, UnitBuilder, UnitName};
+use acrc_image::{Item, Location, Node, Separator, Unit, UnitBuilder, UnitName};
 use acrc_syntax::ast::Statement;
 use acrc_syntax::units::Level;
 use rustc_hash::FxHashMap;
@@ -66,12 +66,12 @@ impl<'a> Assembler<'a> {
                     Level::Program(number) => (command::PROG, Some(number)),
                     Level::Plc(number) => (command::PLC, Some(number)),
                 };
-                let items: Vec<_> = number.map(|number| Node::Long(number.into()).into()).into_iter().collect();
-                self.synthetic(unit, *file, None, command, items);
+                let items: Vec<Item> = number.map(|number| Node::Long(number.into()).into()).into_iter().collect();
+                self.synthetic(unit, *file, None, command, &items);
             }
             Part::Install { index, file, opener } => {
                 let index = Node::Long(i32::try_from(*index).unwrap_or(i32::MAX));
-                self.synthetic(unit, *file, *opener, command::PROGRAM, vec![index.into()]);
+                self.synthetic(unit, *file, *opener, command::PROGRAM, &[index.into()]);
             }
         }
     }
@@ -104,14 +104,14 @@ impl<'a> Assembler<'a> {
         unit: &mut UnitBuilder,
         file: usize,
         place: Option<u32>,
-        command: acrc_catalog::CommandId,
-        items: Vec<acrc_image::Item>,
+        command: CommandId,
+        items: &[Item],
     ) {
         let Some(source) = self.files.get(file) else { return };
         let statement = place.and_then(|place| source.tree.statements().get(place as usize));
         let span = statement.map_or(Span::default(), |statement| statement.span);
         let mut encoder = Encoder::new(source.text, &self.tables);
-        if let Some(address) = encoder.push(unit, span, Separator::Line, command, &items) {
+        if let Some(address) = encoder.push(unit, span, Separator::Line, command, items) {
             unit.locate(address, location(source, file, place.unwrap_or(0), span));
         }
     }

@@ -64,6 +64,23 @@ impl CompileErrorKind {
         }
     }
 
+    /// What is wrong at its place, in few words.
+    fn label(&self) -> &'static str {
+        match self {
+            Self::Syntax => "not read",
+            Self::UndefinedLabel(_) => "no such label",
+            Self::DuplicateLabel { .. } | Self::ConflictingAlias { .. } => "defined again",
+            Self::UndefinedAlias(_) => "neither an alias nor a keyword",
+            Self::NumberTooLarge { .. } | Self::Limit { .. } => "too large",
+            Self::TooDeep => "too deep from here on",
+            Self::UnstorableCharacter(_) => "has no byte",
+            Self::AliasOperand => "no operand",
+            Self::AxisName(_) => "not an axis",
+            Self::NoProgram => "entered at the system prompt",
+            Self::Unstorable(_) => "cannot be stored",
+        }
+    }
+
     /// What to do about it.
     fn help(&self) -> Option<&'static str> {
         Some(match self {
@@ -93,7 +110,8 @@ impl CompileErrorKind {
 
 impl From<&CompileError> for Diagnostic {
     fn from(error: &CompileError) -> Self {
-        let mut diagnostic = Diagnostic::error(error.kind.code(), error.span, error.kind.to_string());
+        let mut diagnostic =
+            Diagnostic::error(error.kind.code(), error.span, error.kind.to_string()).with_label(error.kind.label());
         if let Some(help) = error.kind.help() {
             diagnostic = diagnostic.with_help(help);
         }

@@ -167,7 +167,7 @@ fn memory_is_what_the_corpus_says() {
                 [command, ..] if ["ACC", "ACC10", "VEL", "SET", "INH"].contains(command) => {
                     let (statements, _) = what.split_once(" (").unwrap_or((&what, ""));
                     let image = compile_fragment(&statements.replace(',', ""), Level::System).expect("compiles");
-                    image.boot.memory()
+                    u64::from(image.boot.memory())
                 }
                 _ => continue,
             };

@@ -139,12 +139,41 @@ impl Machine {
         for index in 0..self.masters.len() {
             if self.masters[index].profiler.in_motion() {
                 self.advance_master(index);
+            } else if self.masters[index].settling {
+                self.settle_master(index);
             }
+        }
+    }
+
+    /// Takes note of what ended moves have left behind.
+    pub(crate) fn settle(&mut self) {
+        for index in 0..self.masters.len() {
+            if self.masters[index].settling {
+                self.settle_master(index);
+            }
+        }
+    }
+
+    fn settle_master(&mut self, index: usize) {
+        let master = &mut self.masters[index];
+        master.settling = false;
+        let advanced = master.profiler.advance(self.clock.period());
+        self.note_drop(index, advanced.dropped_velocity);
+    }
+
+    /// Notes a velocity that dropped to zero at the end of a move.
+    fn note_drop(&mut self, index: usize, velocity: f64) {
+        if velocity > 0.0 {
+            let velocity = rounded(velocity);
+            self.notes.insert(format!(
+                "master {index}: a move ended at {velocity} units/s with nothing to follow it (STP 0), so its velocity dropped to zero at once"
+            ));
         }
     }
 
     /// Moves time on by `ticks` in which nothing happens.
     pub(crate) fn skip(&mut self, ticks: u64) {
+        self.settle();
         self.clock.advance(ticks);
         self.apply_events();
     }
@@ -163,12 +192,7 @@ impl Machine {
             self.flags.set(law::KILL_ALL_MOVES.at(index as u32), master.stopping_kills);
             master.stopping_kills = false;
         }
-        if advanced.dropped_velocity > 0.0 {
-            self.notes.insert(format!(
-                "master {index}: a move ended at {} units/s with nothing to follow (STP 0), so its velocity dropped to zero at once",
-                rounded(advanced.dropped_velocity)
-            ));
-        }
+        master.settling = !master.profiler.in_motion();
         master.statistics.motion_ticks += 1;
         for (slot, axis) in master.attached() {
             let profiler = &master.profiler;
@@ -180,6 +204,7 @@ impl Machine {
                 profiler.acceleration(slot),
             );
         }
+        self.note_drop(index, advanced.dropped_velocity);
         self.update_master_flags(index);
     }
 

@@ -16,6 +16,8 @@ pub(crate) struct Master {
     pub(crate) settings: MoveSettings,
     /// The stop under way was ordered by Stop All Moves, which ends in Kill All Moves.
     pub(crate) stopping_kills: bool,
+    /// A move has just ended; whether its velocity dropped is known in the next tick.
+    pub(crate) settling: bool,
     /// `VECTOR`.
     pub(crate) vector: f64,
     /// The program it is attached to.
@@ -41,6 +43,7 @@ impl Master {
             profiler: Profiler::new(QUEUE),
             settings: MoveSettings::default(),
             stopping_kills: false,
+            settling: false,
             vector: 0.0,
             program: None,
             slots: [None; SLOTS],

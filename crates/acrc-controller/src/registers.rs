@@ -29,8 +29,7 @@ impl Machine {
         }
         self.flags.set(number, state);
         if state && WITHOUT_EFFECT.iter().any(|law| law.index_of(number).is_some()) {
-            self.notes
-                .insert(format!("BIT{number} ({}) was set: the dry run does not simulate what it does", info.title));
+            self.notes.insert(format!("{} was set: the dry run does not simulate what it does", info.title));
         }
         Ok(())
     }

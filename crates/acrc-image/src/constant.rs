@@ -24,7 +24,9 @@ pub fn integer(value: u64) -> Option<Node> {
 /// The constant of a number with a point or an exponent, without a sign. `None` when it is not a number or too large for a double.
 pub fn real(text: &str) -> Option<Node> {
     let double: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
-    Some(as_single(text).map_or(Node::Double(double), Node::Single))
+    // What is too small for a double is zero, however it is written.
+    let single = if double == 0.0 { Some(0.0) } else { as_single(text) };
+    Some(single.map_or(Node::Double(double), Node::Single))
 }
 
 /// A minus sign in front of `node`. The sign of a number is part of the number; a long has no negative zero, which keeps its sign as an
@@ -43,7 +45,15 @@ pub fn negate(node: Node) -> Node {
 /// The text of a single constant.
 pub fn format_single(value: f32) -> String {
     let plain = format!("{value:?}");
-    if significant_digits(&plain) <= SINGLE_DIGITS { plain } else { format!("{value:e}") }
+    // The zero that Rust adds behind a point counts as a digit when it is read.
+    let shorter = plain.strip_suffix('0').filter(|shorter| shorter.ends_with('.')).unwrap_or(&plain);
+    if significant_digits(&plain) <= SINGLE_DIGITS {
+        plain
+    } else if significant_digits(shorter) <= SINGLE_DIGITS {
+        shorter.to_owned()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 /// The text of a double constant: a whole number beyond 32 bits without a point, anything else with so many digits that it is read as a
@@ -66,8 +76,7 @@ pub fn format_double(value: f64) -> String {
 /// The single constant that `text` (no sign) stands for, when it has few enough digits and a single holds it with full precision.
 fn as_single(text: &str) -> Option<f32> {
     let value: f32 = text.parse().ok()?;
-    let holds = value.is_normal() || (value == 0.0 && text.parse() == Ok(0.0_f64));
-    (significant_digits(text) <= SINGLE_DIGITS && holds).then_some(value)
+    (significant_digits(text) <= SINGLE_DIGITS && value.is_normal()).then_some(value)
 }
 
 /// Digits from the first that is not zero to the last one written, before the exponent.

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use crate::error::ImageError;
-use crate::layout::{COMMAND_FIELDS, FIRST_FIELD, FieldReader, LAYOUTS, MANY, MARK_BITS, SLOTS, TAG_BITS};
+use crate::instruction::{Instruction, Mark, Separator};
+use crate::layout::{FIRST_FIELD, FieldReader, LAYOUTS, MANY, SLOTS, TAG_BITS};
 use crate::node::Node;
 use crate::text;
 use crate::unit::Unit;
 
-/// One line a word: address, hexadecimal word, and its fields that are not zero; at the end the pool.
+/// One line a word: address, hexadecimal word, and what it says; at the end the pool.
 ///
 /// # Errors
 /// As [`Unit::decode`].
@@ -16,7 +17,7 @@ pub fn dump(unit: &Unit) -> Result<String, ImageError> {
     let instructions = unit.decode()?;
     let mut out = Dump { out: String::new(), words: &unit.words, at: 0 };
     for instruction in &instructions {
-        out.word(|word| format!("{}: {}", instruction.command.info().name, fields(word, COMMAND_FIELDS)));
+        out.word(|_| command(instruction));
         for (place, item) in instruction.items.iter().enumerate() {
             if place >= SLOTS && item.node.is_constant() {
                 out.word(node_fields);
@@ -67,23 +68,35 @@ impl Dump<'_> {
     }
 }
 
+/// The command, how it is set off, and the marks behind its items.
+fn command(instruction: &Instruction) -> String {
+    let mut out = instruction.command.info().name.to_owned();
+    match instruction.separator {
+        Separator::Blank => {}
+        Separator::Colon => out.push_str(", behind a colon"),
+        Separator::Line => out.push_str(", on a new line"),
+        Separator::Then => out.push_str(", behind THEN"),
+    }
+    for (place, item) in (1..).zip(&instruction.items) {
+        let mark = match item.mark {
+            Mark::None => continue,
+            Mark::Comma => "comma",
+            Mark::Semicolon => "semicolon",
+        };
+        let _ = write!(out, ", {mark} behind item {place}");
+    }
+    out
+}
+
 /// The name and the fields of a node word.
 fn node_fields(word: u32) -> String {
     let tag = word & ((1 << TAG_BITS) - 1);
     let Some(layout) = LAYOUTS.iter().find(|layout| layout.tag == tag) else { return format!("tag {tag}") };
-    let mark = (word >> TAG_BITS) & ((1 << MARK_BITS) - 1);
-    let mark = if mark == 0 { String::new() } else { format!("mark {mark} ") };
-    format!("{} {mark}{}", layout.name, fields(word >> FIRST_FIELD, layout.fields))
-}
-
-/// The fields of a word that are not zero.
-fn fields(bits: u32, fields: &[(&str, u32)]) -> String {
-    let mut bits = FieldReader { rest: bits };
-    let mut out = String::new();
-    for &(name, width) in fields {
-        let value = bits.take(width);
-        if value != 0 {
-            let _ = write!(out, "{name} {value} ");
+    let mut bits = FieldReader { rest: word >> FIRST_FIELD };
+    let mut out = layout.name.to_owned();
+    for field in layout.fields {
+        if let Some(value) = (field.show)(bits.take(field.width)) {
+            let _ = write!(out, " {} {value}", field.name);
         }
     }
     out

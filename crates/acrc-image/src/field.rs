@@ -30,6 +30,10 @@ pub(crate) trait Field {
     }
     /// Reads what follows the word.
     fn load(head: Self::Head, input: &mut Decoder<'_>) -> Result<Self::Value, Problem>;
+    /// Its bits for people; nothing when they say nothing that the words behind do not.
+    fn show(_bits: u32) -> Option<String> {
+        None
+    }
 }
 
 /// A value with a stable code.
@@ -42,10 +46,12 @@ pub(crate) trait Code: Copy {
     fn code(self) -> u32;
     /// The value of a code.
     fn from_code(code: u32) -> Option<Self>;
+    /// Its name for people; nothing for the plain case.
+    fn show(self) -> Option<String>;
 }
 
 macro_rules! codes {
-    ($($type:ty, $bits:literal, $what:literal, $code:expr, $from:expr;)*) => {
+    ($($type:ty, $bits:literal, $what:literal, $code:expr, $from:expr, $show:expr;)*) => {
         $(impl Code for $type {
             const BITS: u32 = $bits;
             const WHAT: &'static str = $what;
@@ -57,6 +63,10 @@ macro_rules! codes {
                 let from: fn(u32) -> Option<Self> = $from;
                 from(code)
             }
+            fn show(self) -> Option<String> {
+                let show: fn(Self) -> Option<String> = $show;
+                show(self)
+            }
         })*
     };
 }
@@ -65,17 +75,25 @@ macro_rules! codes {
 const NO_INDEX: u32 = 1023;
 
 codes! {
-    bool, 1, "flag", u32::from, |code| Some(code == 1);
-    u16, 16, "number", u32::from, |code| u16::try_from(code).ok();
-    Option<u16>, 10, "object number", |index| index.map_or(NO_INDEX, u32::from), |code| Some(u16::try_from(code).ok().filter(|_| code != NO_INDEX));
-    AxisName, 20, "axis name", AxisName::packed, AxisName::from_packed;
-    CommandId, 10, "opcode", |command| u32::from(command.0), |code| u16::try_from(code).ok().and_then(CommandId::from_opcode);
-    FunctionId, 8, "function", |function| u32::from(function.0), |code| u8::try_from(code).ok().and_then(FunctionId::from_id);
-    Keyword, 8, "keyword", |keyword| u32::from(keyword.id()), |code| u8::try_from(code).ok().and_then(Keyword::from_id);
-    ObjectKind, 5, "object kind", |kind| u32::from(kind.id()), |code| u8::try_from(code).ok().and_then(ObjectKind::from_id);
-    OperandClass, 4, "operand class", |class| u32::from(class.id()), |code| u8::try_from(code).ok().and_then(OperandClass::from_id);
-    Operator, 5, "operator", |operator| u32::from(operator.id()), |code| u8::try_from(code).ok().and_then(Operator::from_id);
-    UnaryOperator, 2, "unary operator", |operator| u32::from(operator.id()), |code| u8::try_from(code).ok().and_then(UnaryOperator::from_id);
+    bool, 1, "flag", u32::from, |code| Some(code == 1), |set| set.then(|| "yes".to_owned());
+    u16, 16, "number", u32::from, |code| u16::try_from(code).ok(), |number| Some(number.to_string());
+    Option<u16>, 10, "object number", |index| index.map_or(NO_INDEX, u32::from),
+        |code| Some(u16::try_from(code).ok().filter(|_| code != NO_INDEX)), |index| index.map(|number| number.to_string());
+    AxisName, 20, "axis name", AxisName::packed, AxisName::from_packed, |name| Some(name.to_string());
+    CommandId, 10, "opcode", |command| u32::from(command.0),
+        |code| u16::try_from(code).ok().and_then(CommandId::from_opcode), |command| Some(command.info().name.to_owned());
+    FunctionId, 8, "function", |function| u32::from(function.id()),
+        |code| u8::try_from(code).ok().and_then(FunctionId::from_id), |function| Some(function.info().name.to_owned());
+    Keyword, 8, "keyword", |keyword| u32::from(keyword.id()),
+        |code| u8::try_from(code).ok().and_then(Keyword::from_id), |keyword| Some(keyword.to_string());
+    ObjectKind, 5, "object kind", |kind| u32::from(kind.id()),
+        |code| u8::try_from(code).ok().and_then(ObjectKind::from_id), |kind| Some(kind.to_string());
+    OperandClass, 4, "operand class", |class| u32::from(class.id()),
+        |code| u8::try_from(code).ok().and_then(OperandClass::from_id), |class| Some(class.to_string());
+    Operator, 5, "operator", |operator| u32::from(operator.id()),
+        |code| u8::try_from(code).ok().and_then(Operator::from_id), |operator| Some(operator.to_string());
+    UnaryOperator, 2, "unary operator", |operator| u32::from(operator.id()),
+        |code| u8::try_from(code).ok().and_then(UnaryOperator::from_id), |operator| Some(operator.to_string());
 }
 
 /// A field that is the code of a value.
@@ -99,6 +117,10 @@ impl<T: Code> Field for Id<T> {
     fn load(head: T, _input: &mut Decoder<'_>) -> Result<T, Problem> {
         Ok(head)
     }
+
+    fn show(bits: u32) -> Option<String> {
+        T::from_code(bits).and_then(T::show)
+    }
 }
 
 /// The number of parentheses around a node.
@@ -119,6 +141,10 @@ impl Field for Parens {
 
     fn load(head: u8, _input: &mut Decoder<'_>) -> Result<u8, Problem> {
         Ok(head)
+    }
+
+    fn show(bits: u32) -> Option<String> {
+        (bits > 0).then(|| bits.to_string())
     }
 }
 
@@ -270,6 +296,10 @@ impl Field for Text {
 
     fn load(head: usize, input: &mut Decoder<'_>) -> Result<Vec<u8>, Problem> {
         input.text(head).map(<[u8]>::to_vec)
+    }
+
+    fn show(bits: u32) -> Option<String> {
+        Some(bits.to_string())
     }
 }
 

@@ -26,16 +26,31 @@ pub struct Layout {
     pub name: &'static str,
     /// Its tag.
     pub tag: u32,
-    /// Name and width of its fields, from [`FIRST_FIELD`] upwards.
-    pub fields: &'static [(&'static str, u32)],
+    /// Its fields, from [`FIRST_FIELD`] upwards.
+    pub fields: &'static [FieldLayout],
+}
+
+/// A field of a word.
+#[derive(Clone, Copy, Debug)]
+pub struct FieldLayout {
+    /// Its name.
+    pub name: &'static str,
+    /// Its width in bits.
+    pub width: u32,
+    /// Its bits for people; nothing when they say nothing that the words behind do not.
+    pub show: fn(u32) -> Option<String>,
 }
 
 macro_rules! node_words {
     ($($variant:ident = $tag:literal $shape:ident ( $($field:ident : $codec:ty),* );)*) => {
         /// Every kind of node word, in the order of tags.
         pub const LAYOUTS: &[Layout] = &[
-            $(Layout { name: stringify!($variant), tag: $tag, fields: &[$((stringify!($field), <$codec as Field>::BITS)),*] },)*
-            Layout { name: "Const", tag: CONST, fields: &[("kind", 2)] },
+            $(Layout { name: stringify!($variant), tag: $tag, fields: &[$(FieldLayout {
+                name: stringify!($field),
+                width: <$codec as Field>::BITS,
+                show: <$codec as Field>::show,
+            }),*] },)*
+            Layout { name: "Const", tag: CONST, fields: &[FieldLayout { name: "kind", width: 2, show: |_| None }] },
             Layout { name: "End", tag: END, fields: &[] },
         ];
 

@@ -55,8 +55,9 @@ pub struct LabelDefinition {
 
 impl Unit {
     /// The memory that the text takes in a controller, in bytes: 4 a word and 1 a character, which is the guide's table ("How Much Memory?").
-    pub fn memory(&self) -> u64 {
-        4 * self.words.len() as u64 + self.strings.len() as u64
+    pub fn memory(&self) -> u32 {
+        let bytes = 4 * self.words.len() as u64 + self.strings.len() as u64;
+        u32::try_from(bytes).unwrap_or(u32::MAX)
     }
 
     /// The labels, in the order of their numbers.

@@ -48,7 +48,7 @@ proptest! {
     fn decode_gives_back_what_was_encoded(instructions in instructions()) {
         let unit = encode(UnitName::Program(3), &instructions).expect("generated statements are valid");
         prop_assert_eq!(without_addresses(unit.decode().expect("encoded units are valid")), instructions);
-        prop_assert_eq!(unit.memory(), 4 * unit.words.len() as u64 + unit.strings.len() as u64);
+        prop_assert_eq!(unit.memory() as usize, 4 * unit.words.len() + unit.strings.len());
     }
 
     #[test]

@@ -30,23 +30,19 @@ fn program(number: usize) -> String {
     let mut step = 0;
     while text.len() < FILE_BYTES {
         let letter = char::from(b'A' + (step % 26) as u8);
+        let (output, input, value, counter, next) = (40 + step % 24, step % 24, step % 100, step % 50, step + 1);
         let _ = write!(
             text,
             "REM --- station {step} ---\n_Step{step}\nX/{step}.5 : REM to the station\nINH -516\nSET Clamp{letter}\n\
-             DWL 0.25\nCLR Clamp{letter} : SET {}\nCount{letter} = Count{letter} + 1\n\
+             DWL 0.25\nCLR Clamp{letter} : SET {output}\nCount{letter} = Count{letter} + 1\n\
              IF (Count{letter} > 100) THEN PRINT \"station {step} is full\" : GOTO Full{step}\n\
-             IF ((BIT {} AND NOT BIT 5) OR P{} <= 1.5)\n    P{} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    JOG VEL X25\nENDIF\n\
-             WHILE (P{} < 10)\n    P{} = P{} + 1\nWEND\n_Full{step}\nRETURN\n\n",
-            40 + step % 24,
-            step % 24,
-            step % 100,
-            step % 100,
-            step % 50,
-            step % 50,
-            step % 50,
+             IF ((BIT {input} AND NOT BIT 5) OR P{value} <= 1.5)\n    P{value} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    \
+             JOG VEL X25\nENDIF\nWHILE (P{counter} < 10)\n    P{counter} = P{counter} + 1\nWEND\n\
+             _Full{step}\nGOSUB Step{next}\nRETURN\n\n",
         );
         step += 1;
     }
+    let _ = writeln!(text, "_Step{step}\nRETURN");
     text.push_str("ENDP\n");
     text
 }
@@ -69,6 +65,9 @@ fn lint(criterion: &mut Criterion) {
     let bytes: usize = files.iter().map(|(_, text)| text.len()).sum();
     let mut group = criterion.benchmark_group("lint");
     group.sample_size(10).throughput(Throughput::Bytes(bytes as u64));
+    group.bench_function("parsing alone", |bencher| {
+        bencher.iter(|| files.iter().map(|(_, text)| acrc_syntax::parse(text).statements().len()).sum::<usize>());
+    });
     group.bench_function("cold", |bencher| {
         bencher.iter_batched_ref(
             || {

@@ -60,8 +60,8 @@ fn benchmark(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("syntax");
     group.throughput(Throughput::Bytes(text.len() as u64));
     group.sample_size(10);
-    group.bench_function("lex", |bencher| bencher.iter(|| lexer::tokenize(black_box(&text))));
-    group.bench_function("parse", |bencher| bencher.iter(|| parse(black_box(&text))));
+    group.bench_function("lex", |bencher| bencher.iter_with_large_drop(|| lexer::tokenize(black_box(&text))));
+    group.bench_function("parse", |bencher| bencher.iter_with_large_drop(|| parse(black_box(&text))));
     group.finish();
 }
 

@@ -1,19 +1,24 @@
+//! x
 use acrc_syntax::*;
 fn main() {
-    for f in std::env::args().skip(1) {
-        let b = std::fs::read(&f).unwrap();
-        let s = SourceText::decode(&b).unwrap();
-        let t = parse(&s.text);
-        println!("#### {f}");
-        if t.print(&s.text) != s.text {
+    for l in std::fs::read_to_string(std::env::args().nth(1).unwrap()).unwrap().lines() {
+        let t = parse(l);
+        println!("{l}");
+        if t.print(l) != l {
             println!("PRINT DIFFERS");
         }
         for e in t.errors() {
-            let l = s.text[..e.span.start as usize].matches('\n').count() + 1;
-            println!("  {l}: {} {} {:?}", e.code, e.message, e.help);
+            println!(
+                "        {} @{}..{} {}{}",
+                e.code,
+                e.span.start,
+                e.span.end,
+                e.message,
+                e.help.as_ref().map(|h| format!("  [{h}]")).unwrap_or_default()
+            );
         }
-        if std::env::var("DUMP").is_ok() {
-            print!("{}", debug_tree(&t, &s.text));
+        if t.errors().is_empty() {
+            println!("        ok: {}", debug_tree(&t, l).split_whitespace().skip(2).collect::<Vec<_>>().join(" "));
         }
     }
 }

@@ -35,7 +35,7 @@ pub enum FaultKind {
     #[error("a string is needed here, this is a number")]
     TextExpected,
     /// A local variable that does not exist.
-    #[error("{}{index} is outside {}", class.name(), dimension(*class, *count))]
+    #[error("{}", outside(*class, *index, *count))]
     Undimensioned {
         /// Class of the variable.
         class: OperandClass,
@@ -45,7 +45,7 @@ pub enum FaultKind {
         count: u32,
     },
     /// An array that does not exist.
-    #[error("{}{array} is outside {}", class.name(), dimension(*class, *arrays))]
+    #[error("{}", outside(*class, *array, *arrays))]
     NoSuchArray {
         /// Class of the array.
         class: OperandClass,
@@ -152,12 +152,12 @@ pub enum FaultKind {
     Controller(Box<str>),
 }
 
-fn dimension(class: OperandClass, count: u32) -> String {
+fn outside(class: OperandClass, index: i64, count: u32) -> String {
     let name = class.name();
     match (class, count) {
-        (_, 0) => format!("the memory of the program: no DIM {name} was executed"),
-        (OperandClass::StringV, _) => format!("DIM {name}({count}, length)"),
-        _ => format!("DIM {name}({count})"),
+        (_, 0) => format!("{name}{index} has no memory: no DIM {name} was executed"),
+        (OperandClass::StringV, _) => format!("{name}{index} is outside DIM {name}({count}, length)"),
+        _ => format!("{name}{index} is outside DIM {name}({count})"),
     }
 }
 

@@ -223,9 +223,9 @@ fn setup_code_goes_on_after_a_refused_statement() {
 #[test]
 fn a_program_that_does_not_fit_is_not_stored() {
     let bench = Bench::new();
-    bench.file("small.8K", format!("CLEAR\nDIM PROG0(16)\n{}", one_axis("PRINT \"never\"")));
+    bench.file("small.8K", format!("CLEAR\nDIM PROG0(12)\n{}", one_axis("PRINT \"never\"")));
     let run = bench.acrc(["sim", "small.8K", "--run", "PROG0"]).expect(1);
-    assert!(run.stdout.contains("bytes but DIM PROG0 gives 16"), "{}", run.stdout);
+    assert!(run.stdout.contains("bytes but DIM PROG0 gives 12"), "{}", run.stdout);
     assert!(!run.stdout.contains("never"));
 }
 

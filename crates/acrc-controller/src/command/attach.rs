@@ -93,8 +93,7 @@ fn slave_name(call: &Call) -> Result<AxisName, ControllerError> {
 fn detach(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let program = context.program(call)?;
     match call.arguments {
-        [] => detach_program(context.machine, program),
-        [Arg::Object { kind: ObjectKind::Master, .. }] => detach_program(context.machine, program),
+        [] | [Arg::Object { kind: ObjectKind::Master, .. }] => detach_program(context.machine, program),
         [Arg::Object { kind: ObjectKind::Slave, index: Some(slot), .. }] => {
             let master = context.machine.master_of(program)?;
             let slot = Machine::object("SLAVE", i64::from(*slot), SLOTS as u8)?;

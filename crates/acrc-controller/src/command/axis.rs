@@ -20,7 +20,7 @@ pub(super) const COMMANDS: &[Entry] = &[
 fn drive_report(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     for argument in context.axes(call)? {
         let on = context.machine.flags.get(law::DRIVE_ENABLE.at(u32::from(argument.axis)));
-        context.report_text(format!("DRIVE {} AXIS{}", if on { "ON" } else { "OFF" }, argument.axis));
+        context.report_text(&format!("DRIVE {} AXIS{}", if on { "ON" } else { "OFF" }, argument.axis));
     }
     Ok(Outcome::Done)
 }
@@ -107,9 +107,9 @@ impl Context<'_> {
     /// The axes of a call, none of which may move.
     fn resting_axes<'c>(&self, call: &Call<'c>) -> Result<Vec<AxisArgument<'c>>, ControllerError> {
         let axes = self.axes(call)?;
-        match axes.iter().any(|argument| self.machine.axis_in_motion(argument.axis)) {
-            true => Err(ControllerError::InMotion),
-            false => Ok(axes),
+        if axes.iter().any(|argument| self.machine.axis_in_motion(argument.axis)) {
+            return Err(ControllerError::InMotion);
         }
+        Ok(axes)
     }
 }

@@ -29,11 +29,11 @@ impl Context<'_> {
 
     /// The answer of a command that was given without its value.
     pub(super) fn report(&mut self, value: f64) {
-        self.report_text(format::number(&Value::Double(value)));
+        self.report_text(&format::number(&Value::Double(value)));
     }
 
     /// A line that answers a command.
-    pub(super) fn report_text(&mut self, text: String) {
+    pub(super) fn report_text(&mut self, text: &str) {
         self.output(0, format!("{text}\r\n").as_bytes());
     }
 }

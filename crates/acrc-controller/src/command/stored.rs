@@ -95,7 +95,9 @@ fn keep_values(context: &mut Context, call: &Call) -> Result<Outcome, Controller
         match argument {
             Arg::Value(value, _) => values.push(real(command, value)?),
             Arg::Tuple(list) => {
-                values.extend(list.iter().map(|value| real(command, value)).collect::<Result<Vec<_>, _>>()?)
+                for value in list {
+                    values.push(real(command, value)?);
+                }
             }
             _ => return Err(ControllerError::Expected { command, expected: "numbers" }),
         }

@@ -50,7 +50,7 @@ impl Controller {
             return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.to_string());
         };
         let available = self.machine.space(number);
-        let needed = unit.memory();
+        let needed = u64::from(unit.memory());
         if needed > available {
             return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.to_string());
         }

@@ -33,7 +33,9 @@ impl Controller {
             self.execute_setup(observer);
             if self.boot.done && !started {
                 started = true;
-                start.iter().for_each(|program| self.apply(Request::Run(*program), observer));
+                for program in start {
+                    self.apply(Request::Run(*program), observer);
+                }
             }
             if self.machine.clock.ticks() == 0 {
                 observer.tick(&self.view());
@@ -42,6 +44,7 @@ impl Controller {
                 self.slice(observer);
             }
             if self.is_over() {
+                self.machine.settle();
                 return Stopped::Ended;
             }
             if self.machine.clock.ticks() >= end {

@@ -125,7 +125,6 @@ fn rules(shape: Shape) -> Rules {
 }
 
 /// What has been read of the arguments of a command.
-#[derive(Default)]
 struct Seen {
     arguments: Vec<Argument>,
     values: usize,
@@ -156,7 +155,8 @@ impl Reader<'_> {
     }
 
     fn arguments_by(&mut self, rules: &Rules) -> Read<Vec<Argument>> {
-        let mut seen = Seen::default();
+        // Most commands have one argument.
+        let mut seen = Seen { arguments: Vec::with_capacity(1), values: 0, objects: 0, comma: false };
         loop {
             if let Some(argument) = self.argument(rules, &mut seen)? {
                 seen.arguments.push(argument);

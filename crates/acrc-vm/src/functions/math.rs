@@ -72,7 +72,7 @@ math_functions! {
     Asinh = ASINH "ASINH" None |x| x.asinh();
     Acosh = ACOSH "ACOSH" None |x| x.acosh();
     Atanh = ATANH "ATANH" None |x| x.atanh();
-    Acoth = ACOTH "ACOTH" None |x| 0.5 * ((x + 1.0) / (x - 1.0)).ln();
+    Acoth = ACOTH "ACOTH" None |x| x.recip().atanh();
     Ceil = CEIL "CEIL" None |x| x.ceil();
     Floor = FLOOR "FLOOR" None |x| x.floor();
     // The rule for halves is unknown: away from zero, as taught in school.

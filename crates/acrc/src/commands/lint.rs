@@ -2,21 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use acrc_analysis::Database;
 use acrc_analysis::project::{FailOn as ConfigFailOn, LoadedProject};
-use acrc_diagnostics::{Diagnostic, FileReport, Severity, SourceFile, Summary, concise, json, text};
+use acrc_diagnostics::{FileReport, Severity, Summary, concise, json, text};
 
-use super::project::load;
+use super::project::{check, load, reports};
 use crate::cli::{ColorChoice, FailOn, LintArguments, LintFormat};
 use crate::exit::Exit;
 use crate::output::{Terminal, print};
-
-/// The findings of one file.
-struct Checked {
-    name: String,
-    text: String,
-    diagnostics: Vec<Diagnostic>,
-}
 
 pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let mut checked = Vec::new();
@@ -29,11 +21,12 @@ pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Resu
         }
         let project = load(path)?;
         let fail_on = arguments.fail_on.map_or_else(|| configured(&project), ConfigFailOn::from);
-        let files = check(&project);
-        failed |= files.iter().flat_map(|file| &file.diagnostics).any(|found| fail_on.fails(found.severity));
-        checked.extend(files);
+        let found = check(&project);
+        failed |= found.iter().flatten().any(|finding| fail_on.fails(finding.severity));
+        checked.push((project, found));
     }
-    show(&checked, arguments.format, color)?;
+    let reports: Vec<FileReport> = checked.iter().flat_map(|(project, found)| reports(project, found)).collect();
+    show(&reports, arguments.format, color)?;
     Ok(if failed { Exit::Findings } else { Exit::Clean })
 }
 
@@ -51,38 +44,22 @@ impl From<FailOn> for ConfigFailOn {
     }
 }
 
-fn check(project: &LoadedProject) -> Vec<Checked> {
-    let db = Database::new();
-    let input = project.add_to(&db);
-    let files = acrc_lint::check(&db, input);
-    let files = files.into_iter().map(|(file, diagnostics)| Checked {
-        name: file.name(&db).to_owned(),
-        text: file.text(&db).to_owned(),
-        diagnostics,
-    });
-    files.collect()
-}
-
-fn show(checked: &[Checked], format: LintFormat, color: ColorChoice) -> anyhow::Result<()> {
-    let reports: Vec<FileReport> = checked
-        .iter()
-        .map(|file| FileReport::new(SourceFile::new(&file.name, &file.text), &file.diagnostics))
-        .collect();
+fn show(reports: &[FileReport], format: LintFormat, color: ColorChoice) -> anyhow::Result<()> {
     let terminal = Terminal::output(color);
     print(|out| match format {
-        LintFormat::Json => json::render(&reports, out),
-        LintFormat::Concise => concise::render(&reports, out),
+        LintFormat::Json => json::render(reports, out),
+        LintFormat::Concise => concise::render(reports, out),
         LintFormat::Text => {
-            text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, out)?;
-            writeln!(out, "{}", Summary::of(&reports))?;
-            explain_hint(&reports, terminal, out)
+            text::render(reports, text::Options { color: terminal.color, ..text::Options::default() }, out)?;
+            writeln!(out, "{}", Summary::of(reports))?;
+            explain_hint(reports, terminal, out)
         }
     })
 }
 
 /// Where to read more about what was found.
 fn explain_hint(reports: &[FileReport], terminal: Terminal, out: &mut dyn std::io::Write) -> std::io::Result<()> {
-    let found = reports.iter().flat_map(|report| report.diagnostics());
+    let found = reports.iter().flat_map(FileReport::diagnostics);
     let codes: BTreeSet<&str> =
         found.filter(|found| found.severity >= Severity::Warning).map(|found| found.code.id).collect();
     match codes.into_iter().next() {

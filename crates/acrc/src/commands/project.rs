@@ -1,9 +1,12 @@
-//! Loading and compiling a project, as several subcommands do.
+//! Loading, checking and compiling a project, as several subcommands do.
 
+use std::io::Write as _;
 use std::path::Path;
 
+use acrc_analysis::Database;
 use acrc_analysis::project::{self, LoadedProject};
-use acrc_diagnostics::{Diagnostic, FileReport, SourceFile, Summary, text};
+use acrc_compile::CompileError;
+use acrc_diagnostics::{Diagnostic, FileReport, Severity, SourceFile, Summary, text};
 use acrc_image::Image;
 use anyhow::Context as _;
 use camino::Utf8Path;
@@ -16,25 +19,46 @@ pub(crate) fn load(path: &Path) -> anyhow::Result<LoadedProject> {
     Ok(project::load(path)?)
 }
 
+/// What the linter finds in each file of a project, in their order.
+pub(crate) fn check(project: &LoadedProject) -> Vec<Vec<Diagnostic>> {
+    let db = Database::new();
+    let input = project.add_to(&db);
+    acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect()
+}
+
+/// The findings of each file, ready to be shown.
+pub(crate) fn reports<'a>(project: &'a LoadedProject, found: &'a [Vec<Diagnostic>]) -> Vec<FileReport<'a>> {
+    let files = project.files.iter().zip(found);
+    files.map(|(file, list)| FileReport::new(SourceFile::new(file.path.as_str(), &file.source.text), list)).collect()
+}
+
 /// Compiles a project. What is wrong with it goes to standard error; `None` then.
 pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Option<Image>> {
     let errors = match project.compile() {
         Ok(image) => return Ok(Some(image)),
         Err(errors) => errors,
     };
-    let mut found: Vec<Vec<Diagnostic>> = vec![Vec::new(); project.files.len()];
-    for error in &errors {
+    // The linter says the same with more knowledge of the whole project; what only the compiler knows is left to it.
+    let mut found = check(project);
+    for list in &mut found {
+        list.retain(|finding| finding.severity == Severity::Error);
+    }
+    if found.iter().all(Vec::is_empty) {
+        found = by_file(project, &errors);
+    }
+    let reports = reports(project, &found);
+    let mut stderr = std::io::stderr().lock();
+    text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, &mut stderr)?;
+    writeln!(stderr, "{} does not compile: {}", project.name, Summary::of(&reports))?;
+    Ok(None)
+}
+
+fn by_file(project: &LoadedProject, errors: &[CompileError]) -> Vec<Vec<Diagnostic>> {
+    let mut found = vec![Vec::new(); project.files.len()];
+    for error in errors {
         if let Some(list) = found.get_mut(error.file) {
             list.push(error.into());
         }
     }
-    let sources: Vec<SourceFile> =
-        project.files.iter().map(|file| SourceFile::new(file.path.as_str(), &file.source.text)).collect();
-    let reports: Vec<FileReport> =
-        sources.into_iter().zip(&found).map(|(source, list)| FileReport::new(source, list)).collect();
-    let mut stderr = std::io::stderr().lock();
-    text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, &mut stderr)?;
-    use std::io::Write as _;
-    writeln!(stderr, "{} does not compile: {}", project.name, Summary::of(&reports))?;
-    Ok(None)
+    found
 }

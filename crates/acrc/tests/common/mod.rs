@@ -9,43 +9,43 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 /// A folder of its own for one test.
-pub struct Bench {
-    pub folder: TempDir,
+pub(crate) struct Bench {
+    pub(crate) folder: TempDir,
 }
 
 /// What a run of `acrc` gave.
-pub struct Run {
-    pub status: Option<i32>,
-    pub stdout: String,
-    pub stderr: String,
+pub(crate) struct Run {
+    pub(crate) status: Option<i32>,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
 }
 
 impl Bench {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { folder: TempDir::new().expect("a temporary folder") }
     }
 
     /// Writes a file and gives its path.
-    pub fn file(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
+    pub(crate) fn file(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
         let path = self.folder.path().join(name);
         std::fs::create_dir_all(path.parent().expect("a file lies in a folder")).expect("the folder is writable");
         std::fs::write(&path, text).expect("the folder is writable");
         path
     }
 
-    pub fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
     /// Runs `acrc` in the folder.
-    pub fn acrc<S: AsRef<std::ffi::OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Run {
+    pub(crate) fn acrc<S: AsRef<std::ffi::OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Run {
         let mut command = Command::new(env!("CARGO_BIN_EXE_acrc"));
         command.args(arguments).current_dir(self.folder.path()).env_remove("NO_COLOR");
         command.output().expect("acrc starts").into()
     }
 
     /// Runs `acrc sim --format json` and reads the report; the run must not have failed to begin.
-    pub fn sim(&self, arguments: &str) -> Value {
+    pub(crate) fn sim(&self, arguments: &str) -> Value {
         let run = self.acrc(["sim", "--format", "json"].into_iter().chain(arguments.split_whitespace()));
         serde_json::from_str(&run.stdout).unwrap_or_else(|error| panic!("{error}\n{}\n{}", run.stdout, run.stderr))
     }
@@ -61,25 +61,25 @@ impl From<Output> for Run {
 impl Run {
     /// The run ended with this status.
     #[track_caller]
-    pub fn expect(self, status: i32) -> Self {
+    pub(crate) fn expect(self, status: i32) -> Self {
         assert_eq!(self.status, Some(status), "stdout:\n{}\nstderr:\n{}", self.stdout, self.stderr);
         self
     }
 }
 
 /// The example machine.
-pub fn gantry() -> PathBuf {
+pub(crate) fn gantry() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/gantry")
 }
 
 /// A trace read back: names of the columns and rows of numbers.
-pub struct Csv {
-    pub names: Vec<String>,
-    pub rows: Vec<Vec<f64>>,
+pub(crate) struct Csv {
+    pub(crate) names: Vec<String>,
+    pub(crate) rows: Vec<Vec<f64>>,
 }
 
 impl Csv {
-    pub fn read(path: &Path) -> Self {
+    pub(crate) fn read(path: &Path) -> Self {
         let text = std::fs::read_to_string(path).expect("the trace was written");
         let mut lines = text.lines();
         let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
@@ -88,7 +88,7 @@ impl Csv {
     }
 
     /// The values of a column.
-    pub fn column(&self, name: &str) -> Vec<f64> {
+    pub(crate) fn column(&self, name: &str) -> Vec<f64> {
         let index = self.names.iter().position(|column| column == name);
         let index = index.unwrap_or_else(|| panic!("no column {name} in {:?}", self.names));
         self.rows.iter().map(|row| row[index]).collect()

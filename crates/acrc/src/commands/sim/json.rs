@@ -143,16 +143,16 @@ fn document(report: &Report) -> Document {
             })
             .collect(),
         notes: all_notes(report),
-        values: report.read.iter().map(|register| (register.to_string(), json(report.value(*register)))).collect(),
+        values: report.read.iter().map(|register| (register.to_string(), json(&report.value(*register)))).collect(),
     }
 }
 
 /// Whole numbers without a point, what could not be read as null.
-fn json(value: Result<Value, String>) -> serde_json::Value {
+fn json(value: &Result<Value, String>) -> serde_json::Value {
     match value {
-        Ok(Value::Long(number)) => number.into(),
-        Ok(Value::Single(number)) => real(f64::from(number)),
-        Ok(Value::Double(number)) => real(number),
+        Ok(Value::Long(number)) => (*number).into(),
+        Ok(Value::Single(number)) => real(f64::from(*number)),
+        Ok(Value::Double(number)) => real(*number),
         Ok(Value::Text(_)) | Err(_) => serde_json::Value::Null,
     }
 }

@@ -116,9 +116,8 @@ impl Observer for RunObserver<'_> {
 
     fn fault(&mut self, fault: &FaultReport) {
         if self.live {
-            let word = self.terminal.error_word("fault");
-            let pad = " ".repeat("PROGn   ".len() - "fault".len());
-            self.show(fault.seconds, &format!("{word}{pad}"), &fault.to_string());
+            let source = self.terminal.error_word(&format!("{:<8}", "fault"));
+            self.show(fault.seconds, &source, &fault.to_string());
         }
         self.record.faults.push(fault.clone());
     }

@@ -57,7 +57,7 @@ fn headline(text: &mut String, report: &Report, wall: Duration, until: f64, term
         Stopped::Until => format!("stopped at --until {}s", trim(until, 6)),
         Stopped::Interrupted => "interrupted; no file was written".to_owned(),
     };
-    let speed = if wall.is_zero() { String::new() } else { speed(seconds / wall.as_secs_f64()) };
+    let speed = if seconds > 0.0 && wall.as_millis() > 0 { speed(seconds / wall.as_secs_f64()) } else { String::new() };
     let line = format!("{what}\n{seconds:.3} s of virtual time in {:.3} s{speed}", wall.as_secs_f64());
     let _ = writeln!(text, "\n{}", terminal.heading(&line));
 }

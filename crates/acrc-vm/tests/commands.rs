@@ -1,0 +1,136 @@
+//! What a host is given: arguments, references, waiting commands, typed lines.
+
+mod support;
+
+use acrc_vm::{Budget, Code, Frame, Locals, Stop, run};
+use support::{Bench, MEMORY, Machine, image, output};
+
+/// The calls that a program makes.
+fn calls(text: &str) -> String {
+    let mut machine = Machine::new(text);
+    let stop = machine.finish();
+    assert_eq!(stop, Stop::Ended, "{text}\n{:?}", machine.bench.log);
+    machine.bench.log
+}
+
+#[test]
+fn arguments_are_evaluated() {
+    insta::assert_snapshot!(calls(
+        "DIM LV(1) : LV0 = 3 : P0 = 2.5\nVEL 5\nVEL (P0 * 2)\nACC10 DEC10 STP0\nTMOV 0.1\nDWL (P0)\nLOOK ANG (30, LV0)\nPRINT #1\n"
+    ));
+}
+
+#[test]
+fn axes_carry_targets_tuples_and_slashes() {
+    insta::assert_snapshot!(calls(
+        "DIM DA(1) : DIM DA0(2) : DA0(1) = 7.5\nX5 Y/-2.5\nX(DA0(1)) Z / 0.2\nMOV X 1.5Y 2\nCIRCW X(1,2) Y(3,P0)\nX2 SINE Y(0,90,90,100)\n\
+         PPU X4000 Y4000\nDRIVE ON X Y\nSLM X(24,0)\nRES X\nRES AXIS1 5\n"
+    ));
+}
+
+#[test]
+fn objects_stand_in_front_and_behind() {
+    insta::assert_snapshot!(calls(
+        "AXIS0 JOG INC 5\nMASTER0 ACC 10\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nRUN PROG1\nRUN ALL\nPAUSE PROG0\nGEAR SRC X ENC2\nGEAR SRC X P12290\nGEAR SRC Y NONE\nSRC CLOCK\n"
+    ));
+}
+
+#[test]
+fn operands_are_named_where_a_command_needs_them() {
+    insta::assert_snapshot!(calls(
+        "DIM LV(1)\nLV0 = 4\nDIM LA(2)\nDIM LA1(4)\nPLS0 SRC P12288\nPLS0 BASE LA1\nPLS0 DST P4097\nIHPOS P12290 (100, 5)\nIHPOS -P12290 (LV0, 0.5)\nMASK P4097 (1, 2)\nCAM SEG X(0, 500, LA1)\nSRC P(12288 + LV0)\n"
+    ));
+}
+
+#[test]
+fn flags_are_named_with_their_sign() {
+    let image = image(
+        "#DEFINE Done BIT 128\n#DEFINE Lamp 33\nPROGRAM\nDIM LV(1)\nLV0 = -40\nINH 24\nINH -516\nINH -0\nINH Done\nINH -Done\nINH (LV0)\nINH BIT(100+LV0)\nSET -5\nTRG (0, 1)\nSET Lamp : SET Done\nCLR BIT(33)\nLV0 = 34 : SET (LV0)\nSET BIT(LV0 + 1)\nPRINT BIT33; BIT34; BIT35; Done\nENDP",
+        false,
+    );
+    let mut machine = Machine::with(Code::load(&image.programs[0], &image.aliases).unwrap());
+    assert_eq!(machine.finish(), Stop::Ended);
+    insta::assert_snapshot!(format!("{}{}", machine.bench.log, machine.bench.output));
+}
+
+#[test]
+fn aliases_stand_for_operands_and_constants() {
+    let image = image(
+        "#DEFINE Count LV0\n#DEFINE Limit 3\n#DEFINE Speed P7\n#DEFINE Ready BIT 40\n#DEFINE Half 0.5\nPROGRAM\nDIM LV(1)\nFOR Count = 1 TO Limit\nSpeed = Speed + Half\nNEXT\nReady = Count > Limit\nIF (Ready) THEN PRINT Count; \" \"; Speed; Ready\nENDP",
+        false,
+    );
+    let mut machine = Machine::with(Code::load(&image.programs[0], &image.aliases).unwrap());
+    assert_eq!(machine.finish(), Stop::Ended);
+    assert_eq!(machine.bench.output, "4 1.5-1\r\n");
+}
+
+#[test]
+fn a_waiting_command_is_offered_again_with_the_same_arguments() {
+    let mut machine = Machine::new("P0 = 1\nDWL (P0) : PRINT \"go\"");
+    machine.bench.patience = 2;
+    let run = machine.run(Budget::lines(4));
+    assert_eq!((run.stop, run.lines, run.statements), (Stop::Blocked, 2, 2));
+    assert!(machine.frame.is_blocked());
+    assert_eq!(machine.code.location(machine.frame.pc()).line, 2);
+    machine.bench.parameters.insert(0, acrc_vm::Value::Double(9.0));
+    let run = machine.run(Budget::lines(4));
+    assert_eq!((run.stop, run.lines, run.statements), (Stop::Blocked, 0, 0));
+    assert_eq!(machine.finish(), Stop::Ended);
+    assert_eq!(machine.bench.output, "go\r\n");
+    assert_eq!(machine.bench.log, "DWL: Value(Double(1.0), None)\n");
+}
+
+#[test]
+fn a_command_may_end_its_program() {
+    assert_eq!(output("PRINT 1\nHALT\nPRINT 2"), "1\r\n");
+}
+
+#[test]
+fn getch_waits_for_its_character() {
+    let mut machine = Machine::new("DIM LV(1)\nLV0 = GETCH(1) + 1 : PRINT LV0");
+    assert_eq!(machine.finish(), Stop::Blocked);
+    assert_eq!(machine.finish(), Stop::Blocked);
+    machine.bench.keys.push_back(b'A');
+    assert_eq!(machine.finish(), Stop::Ended);
+    assert_eq!(machine.bench.output, "66\r\n");
+}
+
+#[test]
+fn input_fills_variables() {
+    let program = "DIM LV(2)\nDIM $V(1,12)\nDIM DA(1)\nDIM DA0(2)\nINPUT; \"n = \"; LV0, DA0(1), P5, $V0\nPRINT LV0; \" \"; DA0(1); \" \"; P5; \" \"; $V0\nINPUT LV1\nPRINT LV1";
+    let mut machine = Machine::new(program);
+    assert_eq!(machine.finish(), Stop::Blocked);
+    machine.bench.lines.extend(["3.7, 2.5,x,rest, of it all", "5"]);
+    assert_eq!(machine.finish(), Stop::Ended);
+    assert_eq!(machine.bench.output, "3 2.5 0 rest, of it \r\n5\r\n");
+}
+
+#[test]
+fn missing_input_is_zero() {
+    let mut machine = Machine::new(
+        "DIM LV(2) : DIM $V(1,5)\nLV0 = 9 : $V0 = \"x\"\nINPUT LV0, LV1, $V0\nPRINT LV0; LV1; \"<\"; $V0; \">\"",
+    );
+    machine.bench.lines.push_back("");
+    machine.finish();
+    assert_eq!(machine.bench.output, "00<>\r\n");
+}
+
+#[test]
+fn dim_without_a_size_is_a_report() {
+    assert_eq!(calls("DIM\nDIM LV"), "DIM: \nDIM LV: \n");
+}
+
+#[test]
+fn immediate_statements_share_the_variables_of_their_program() {
+    let stored = image("LV0 = LV0 + 1\nPRINT LV0", true);
+    let program = Code::load(&stored.programs[0], &stored.aliases).unwrap();
+    let typed = image("DIM LV(1)\nLV0 = 41 : END\nPRINT \"on\"", false);
+    let typed = Code::load(&typed.boot, &typed.aliases).unwrap();
+    let mut locals = Locals::new(MEMORY);
+    let mut bench = Bench::default();
+    let mut frame = Frame::new();
+    assert_eq!(run(&typed, &mut frame, &mut locals, &mut bench, Budget::statements(100)).stop, Stop::Ended);
+    assert_eq!(run(&program, &mut Frame::new(), &mut locals, &mut bench, Budget::lines(9)).stop, Stop::Ended);
+    assert_eq!(bench.output, "on\r\n42\r\n");
+    assert_eq!(bench.log, "PROG: Value(Long(0), None)\nEND: \n".replace("PROG: Value(Long(0), None)\n", ""));
+}
