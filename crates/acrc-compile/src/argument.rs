@@ -9,7 +9,7 @@ use crate::encoder::Encoder;
 use crate::error::CompileErrorKind;
 
 impl Encoder<'_> {
-    /// One argument. `None` for a word that only separates.
+    /// One argument.
     pub(crate) fn argument(&mut self, argument: &Argument) -> Node {
         match argument {
             Argument::Value(expr) => self.expression(expr),

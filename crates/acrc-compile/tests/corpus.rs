@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use acrc_catalog::command;
@@ -53,10 +54,11 @@ fn compile_fragment(text: &str, start: Level) -> Result<Image, Vec<CompileErrorK
         for error in &errors {
             match &error.kind {
                 CompileErrorKind::UndefinedAlias(name) if !names.contains(&format!(" {name} ")) => {
-                    names += &format!("#DEFINE {name} P{}\n", names.len())
+                    let number = names.len();
+                    let _ = writeln!(names, "#DEFINE {name} P{number}");
                 }
                 CompileErrorKind::UndefinedLabel(name) if !names.contains(&format!("_{name}\n")) => {
-                    names += &format!("_{name}\n")
+                    let _ = writeln!(names, "_{name}");
                 }
                 _ => {}
             }

@@ -3,7 +3,7 @@
 mod common;
 
 use acrc_compile::{SourceUnit, compile};
-use acrc_image::{Image, UnitName};
+use acrc_image::{Image, Unit, UnitName};
 use acrc_syntax::units::Level;
 use common::listing;
 
@@ -26,13 +26,10 @@ fn project(files: &[(&str, Level, &str)]) -> Image {
     image
 }
 
-/// All units, with where each boot statement comes from.
+/// The listings of all units.
 fn show(image: &Image) -> String {
-    let mut out = String::new();
-    for unit in image.units() {
-        out += &format!("== {} ({} bytes)\n{}", unit.name, unit.memory(), listing(unit, image));
-    }
-    out
+    let unit = |unit: &Unit| format!("== {} ({} bytes)\n{}", unit.name, unit.memory(), listing(unit, image));
+    image.units().map(unit).collect()
 }
 
 #[test]
@@ -93,7 +90,7 @@ fn a_numbered_line_goes_between_the_hidden_numbers_of_entered_lines() {
 fn statements_lead_back_to_their_lines() {
     let text = "SYS\nPROG0\nPROGRAM\nVEL 5 : X1\n\nEND\nENDP\n";
     let image = project(&[("all.8K", Level::System, text)]);
-    let lines = |unit: &acrc_image::Unit| {
+    let lines = |unit: &Unit| {
         let map = unit.debug.as_ref().expect("compiled units have a map");
         let slice =
             |location: acrc_image::Location| text[location.span.start as usize..location.span.end as usize].to_owned();

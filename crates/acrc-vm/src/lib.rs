@@ -8,27 +8,45 @@
 //! [`Code`] is immutable, [`Frame`] says how far a run has come, [`Locals`] are the variables of a program.
 //!
 //! ```
-//! # use acrc_vm::{Arg, Budget, Call, Code, FaultKind, Frame, Host, Locals, Outcome, Stop, Value, run};
-//! # use acrc_catalog::{OperandClass, command};
-//! # use acrc_image::{Instruction, Node, Separator, UnitBuilder, UnitName};
+//! # use acrc_catalog::{OperandClass, UnaryOperator, command};
+//! # use acrc_image::{Node, Separator, UnitBuilder, UnitName};
+//! # use acrc_vm::{Budget, Call, Code, FaultKind, Frame, Host, Locals, Outcome, Stop, Value, run};
 //! struct Lamp(bool);
 //!
 //! impl Host for Lamp {
 //!     fn bit(&mut self, _number: i64) -> Result<bool, FaultKind> {
 //!         Ok(self.0)
 //!     }
+//!
 //!     fn set_bit(&mut self, _number: i64, state: bool) -> Result<(), FaultKind> {
 //!         self.0 = state;
 //!         Ok(())
 //!     }
-//!     // A controller has more to offer here.
-//! #   fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> { Err(FaultKind::UnknownParameter(number)) }
-//! #   fn set_parameter(&mut self, number: i64, _value: &Value) -> Result<(), FaultKind> { Err(FaultKind::UnknownParameter(number)) }
+//!
+//!     // This controller has nothing but a lamp.
+//!     fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> {
+//!         Err(FaultKind::UnknownParameter(number))
+//!     }
+//!     // ...
+//! #   fn set_parameter(&mut self, number: i64, _: &Value) -> Result<(), FaultKind> { Err(FaultKind::UnknownParameter(number)) }
 //! #   fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind> { Err(FaultKind::Unsupported(call.command)) }
-//! #   fn random(&mut self, _below: u32) -> u32 { 0 }
-//! #   fn take_character(&mut self, _device: i32) -> Result<Option<u8>, FaultKind> { Ok(None) }
-//! #   fn character_waits(&mut self, _device: i32) -> Result<bool, FaultKind> { Ok(false) }
+//! #   fn random(&mut self, _: u32) -> u32 { 0 }
+//! #   fn take_character(&mut self, _: i32) -> Result<Option<u8>, FaultKind> { Ok(None) }
+//! #   fn character_waits(&mut self, _: i32) -> Result<bool, FaultKind> { Ok(false) }
 //! }
+//!
+//! // BIT 32 = NOT BIT 32
+//! let flag = Node::scalar(OperandClass::Bit, 32);
+//! let toggled = Node::Unary { op: UnaryOperator::Not, operand: Box::new(flag.clone()), parens: 0 };
+//! let mut builder = UnitBuilder::new(UnitName::Program(0));
+//! builder.push(Separator::Line, command::ASSIGNMENT, &[flag.into(), toggled.into()])?;
+//!
+//! let code = Code::load(&builder.finish()?, &[])?;
+//! let mut lamp = Lamp(false);
+//! let outcome = run(&code, &mut Frame::new(), &mut Locals::new(0), &mut lamp, Budget::lines(4));
+//! assert_eq!(outcome.stop, Stop::Ended);
+//! assert!(lamp.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod code;

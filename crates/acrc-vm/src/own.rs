@@ -1,50 +1,82 @@
-//! What the machine does without its host.
+//! What the machine does without its host: one table, which the loader and [`executes`] read.
 
-use acrc_catalog::{CommandId, command};
+use acrc_catalog::{CommandId, OperandClass, command};
 
 use crate::code::Code;
 use crate::frame::Frame;
 
+/// How the machine executes a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Own {
+    /// By the place it has in a block (`IF`, `WEND`, `BREAK`).
+    Block,
+    /// It does nothing when it is reached.
+    Passive,
+    /// It does nothing in a stored text. At a prompt it goes to the host.
+    Marker,
+    /// It ends a stored text. At a prompt it goes to the host.
+    End,
+    /// `target = value`
+    Assign,
+    /// A jump to a label or line.
+    Branch,
+    /// The end of a subroutine.
+    Return,
+    /// It sets or clears flags.
+    Flag(bool),
+    /// It allocates local variables.
+    Dim(OperandClass),
+    /// It frees the local variables, after the host has done its part.
+    Clear,
+}
+
 /// Commands that the machine executes by itself; every other one goes to the host.
-const OWN: [CommandId; 33] = [
-    command::ASSIGNMENT,
-    command::BIT,
-    command::BREAK,
-    command::CLEAR,
-    command::CLR,
-    command::DIM_DA,
-    command::DIM_DV,
-    command::DIM_LA,
-    command::DIM_LV,
-    command::DIM_SA,
-    command::DIM_STRING_A,
-    command::DIM_STRING_V,
-    command::DIM_SV,
-    command::ELSE,
-    command::ELSEIF,
-    command::ELSE_IF,
-    command::END,
-    command::ENDIF,
-    command::ENDP,
-    command::FOR,
-    command::GOSUB,
-    command::GOTO,
-    command::IF,
-    command::LABEL,
-    command::LINE_NUMBER,
-    command::NEXT,
-    command::PBOOT,
-    command::PROGRAM,
-    command::REM,
-    command::RETURN,
-    command::SET,
-    command::WEND,
-    command::WHILE,
+const OWN: &[(CommandId, Own)] = &[
+    (command::ASSIGNMENT, Own::Assign),
+    (command::BIT, Own::Assign),
+    (command::SET, Own::Flag(true)),
+    (command::CLR, Own::Flag(false)),
+    (command::IF, Own::Block),
+    (command::ELSE, Own::Block),
+    (command::ELSEIF, Own::Block),
+    (command::ELSE_IF, Own::Block),
+    (command::ENDIF, Own::Block),
+    (command::WHILE, Own::Block),
+    (command::WEND, Own::Block),
+    (command::FOR, Own::Block),
+    (command::NEXT, Own::Block),
+    (command::BREAK, Own::Block),
+    (command::GOTO, Own::Branch),
+    (command::GOSUB, Own::Branch),
+    (command::RETURN, Own::Return),
+    (command::END, Own::End),
+    (command::ENDP, Own::End),
+    (command::PROGRAM, Own::Marker),
+    (command::PBOOT, Own::Marker),
+    (command::REM, Own::Passive),
+    (command::APOSTROPHE, Own::Passive),
+    (command::LABEL, Own::Passive),
+    (command::LINE_NUMBER, Own::Passive),
+    (command::DIM_LV, Own::Dim(OperandClass::Lv)),
+    (command::DIM_SV, Own::Dim(OperandClass::Sv)),
+    (command::DIM_DV, Own::Dim(OperandClass::Dv)),
+    (command::DIM_STRING_V, Own::Dim(OperandClass::StringV)),
+    (command::DIM_LA, Own::Dim(OperandClass::La)),
+    (command::DIM_SA, Own::Dim(OperandClass::Sa)),
+    (command::DIM_DA, Own::Dim(OperandClass::Da)),
+    (command::DIM_STRING_A, Own::Dim(OperandClass::StringA)),
+    (command::CLEAR, Own::Clear),
 ];
 
-/// Whether the machine executes a command without asking its host. Some go to the host as well, such as a bare `CLEAR`.
+/// How the machine executes a command; `None` when the host does.
+pub(crate) fn own(command: CommandId) -> Option<Own> {
+    OWN.iter().find(|(own, _)| *own == command).map(|(_, how)| *how)
+}
+
+/// Whether the machine executes a command of a stored text without asking its host. Some go to the host as well: a bare `CLEAR`, a report of
+/// `DIM`, and `SET` and `CLR` in forms that are not plain.
 pub fn executes(command: CommandId) -> bool {
-    OWN.contains(&command)
+    own(command).is_some()
 }
 
 impl Frame {

@@ -43,8 +43,10 @@ pub struct LineSite {
 pub struct Jump {
     /// Index of the statement.
     pub statement: u32,
-    /// Where it goes.
+    /// Where it goes, as written.
     pub target: Target,
+    /// The statement of this section that it goes to, when there is one.
+    pub to: Option<u32>,
     /// It is a `GOSUB`.
     pub call: bool,
 }

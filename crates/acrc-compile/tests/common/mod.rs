@@ -30,18 +30,13 @@ pub(crate) fn listing(unit: &Unit, image: &Image) -> String {
 
 /// Definitions of the aliases of an image, as text to put before a listing of it.
 pub(crate) fn definitions(image: &Image) -> String {
-    let mut names: Vec<_> = image.aliases.iter().zip(0_u16..).collect();
-    names.sort_by_key(|&(_, place)| place);
-    let define = |place: u16| {
-        let node = acrc_image::Node::Alias { index: place, parens: 0 };
-        acrc_image::Instruction {
-            address: 0,
-            separator: acrc_image::Separator::Line,
-            command: acrc_catalog::command::DEFINE,
-            items: vec![node.into()],
-        }
+    let define = |place| acrc_image::Instruction {
+        address: 0,
+        separator: acrc_image::Separator::Line,
+        command: acrc_catalog::command::DEFINE,
+        items: vec![acrc_image::Node::Alias { index: place, parens: 0 }.into()],
     };
-    let instructions: Vec<_> = names.iter().map(|&(_, place)| define(place)).collect();
+    let instructions: Vec<_> = (0_u16..).zip(&image.aliases).map(|(place, _)| define(place)).collect();
     acrc_image::list::list_instructions(&instructions, &image.aliases, &ListOptions::default())
         .expect("the table holds them")
 }

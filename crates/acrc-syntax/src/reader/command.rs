@@ -87,8 +87,7 @@ impl Reader<'_> {
             return self.named_command(Some(object), command, next);
         }
         if id.info().max_args == 0 {
-            let failure = self.expected_after(&format!("a command for an object {}", kind.name()), object.name);
-            return Err(failure);
+            return Err(self.expected_after("a command", object.name));
         }
         self.wanted = ("a daughter or values in parentheses", Some(object.name));
         self.with_arguments(Some(object), id, Span::empty(next.span.start))

@@ -23,7 +23,7 @@ impl Reader<'_> {
             }
             None if self.peek().kind.ends_statement() => command::DIM,
             None => {
-                return Err(self.expected("what to allocate").help("`LV`, `SV`, `DV`, `$V`, `LA`, `P`, `PROG`, ..."));
+                return Err(self.expected("a kind of memory").help("`LV`, `SV`, `DV`, `$V`, `LA`, `P`, `PROG`, ..."));
             }
         };
         let name = Span::new(first.span.start, self.consumed_to());

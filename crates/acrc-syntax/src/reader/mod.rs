@@ -167,7 +167,10 @@ impl<'t> Reader<'t> {
         let mark = self.errors.len();
         self.statement_start = self.position;
         self.wanted = (statement::END, None);
-        let read = self.statement_kind();
+        let read = match self.statement_kind() {
+            Ok(_) if self.position == self.statement_start => Err(self.expected("a statement")),
+            read => read,
+        };
         let leftover = if read.is_ok() { self.leftover() } else { None };
         let (kind, behind) = match (read, leftover) {
             (Ok(kind), None) => (kind, None),

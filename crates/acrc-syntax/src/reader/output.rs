@@ -9,23 +9,30 @@ use crate::lexer::TokenKind;
 impl Reader<'_> {
     /// `PRINT` and `?`; the word is taken.
     pub(super) fn print(&mut self, shorthand: bool) -> Read<StatementKind> {
-        self.wanted = ("a value", None);
         let device = self.device()?;
-        if device.is_some() && self.item_separator().is_none() {
-            self.wanted.0 = "`,`";
+        if device.is_some() {
+            self.separator_or_end("`,`")?;
         }
         let using = match self.accept_word(Keyword::Using.name()) {
             Some(_) => Some(self.full_expression()?),
             None => None,
         };
-        if using.is_some() && self.item_separator().is_none() {
-            self.wanted.0 = "`;`";
+        if using.is_some() {
+            self.separator_or_end("`;`")?;
         }
-        let items = if self.wanted.0 == "a value" { self.print_items()? } else { Vec::new() };
+        let items = self.print_items()?;
         Ok(StatementKind::Print(Box::new(Print { shorthand, device, using, items })))
     }
 
+    fn separator_or_end(&mut self, wanted: &str) -> Read<()> {
+        if self.item_separator().is_none() && !self.peek().kind.ends_statement() {
+            return Err(self.expected(wanted));
+        }
+        Ok(())
+    }
+
     fn print_items(&mut self) -> Read<Vec<PrintItem>> {
+        self.wanted = ("a value", None);
         let mut items = Vec::new();
         while self.starts_value() {
             let value = self.full_expression()?;
@@ -33,10 +40,24 @@ impl Reader<'_> {
             items.push(PrintItem { value, separator });
             if separator.is_none() {
                 self.wanted.0 = "`,`, `;` or the end of the statement";
+                if self.is_certain_value() {
+                    return Err(self.expected(self.wanted.0));
+                }
                 break;
             }
         }
         Ok(items)
+    }
+
+    /// Whether the next word is an item that lacks its separator, and no statement of its own.
+    fn is_certain_value(&self) -> bool {
+        let token = self.peek();
+        match token.kind {
+            TokenKind::Word | TokenKind::Dollar => {
+                self.is_operand_or_function(token, self.word(token)) && !self.assignment_ahead()
+            }
+            _ => false,
+        }
     }
 
     fn item_separator(&mut self) -> Option<PrintSeparator> {

@@ -1,8 +1,9 @@
 //! What a statement is, by its first word.
 
-use acrc_catalog::{Shape, command};
+use acrc_catalog::{Operator, Shape, command};
 use acrc_diagnostics::{Applicability, Diagnostic, Edit, Fix, Span};
 
+use super::expression::may_be_name;
 use super::{Failure, Read, Reader};
 use crate::ast::{Assign, Expr, ExprKind, Label, StatementKind};
 use crate::codes;
@@ -47,8 +48,11 @@ impl Reader<'_> {
         }
         let (wanted, after) = self.wanted;
         let failure = self.expected_after(wanted, after.unwrap_or(self.previous));
-        let calculates = wanted == END && self.infix_operator(token).is_some();
-        Some(if calculates { failure.help("a calculated argument stands in parentheses") } else { failure })
+        Some(match self.infix_operator(token) {
+            Some(Operator::Eq) => failure.help("the value of a command follows it without `=`"),
+            Some(_) if wanted == END => failure.help("a calculated argument stands in parentheses"),
+            _ => failure,
+        })
     }
 
     fn starts_statement(&self, token: Token) -> bool {
@@ -68,9 +72,7 @@ impl Reader<'_> {
         match word.command {
             Some(command::REM) => Ok(self.remark()),
             Some(id) => self.command(id),
-            None if self.starts_value() && word.function.is_none() && word.operator.is_none() => {
-                self.name_statement(token)
-            }
+            None if may_be_name(&word) => self.name_statement(token),
             None => Err(self.misplaced(token)),
         }
     }
@@ -89,7 +91,8 @@ impl Reader<'_> {
         if self.peek_at(self.name_length()).kind == TokenKind::Equal {
             return self.assignment();
         }
-        if token.span.len() <= MAX_AXIS_NAME && self.may_follow_axis(self.peek_at(1)) {
+        let is_short = token.span.len() <= MAX_AXIS_NAME;
+        if is_short && self.may_follow_axis(self.peek_at(1)) && !self.is_mistyped_parent(token) {
             return self.move_statement(None, command::AXIS_MOVE, Span::empty(token.span.start));
         }
         Err(self.unknown_command(token))
@@ -100,6 +103,17 @@ impl Reader<'_> {
             TokenKind::Integer | TokenKind::Real | TokenKind::Slash | TokenKind::LeftParen => true,
             kind => kind.is_sign() || kind.ends_statement() || self.starts_statement(token),
         }
+    }
+
+    /// `JGO ABS X5`: the next word is a daughter of the command that this word resembles.
+    fn is_mistyped_parent(&self, token: Token) -> bool {
+        let next = self.peek_at(1);
+        if !self.word(next).is_some_and(|word| word.daughter) {
+            return false;
+        }
+        let parent = acrc_catalog::nearest_command(self.slice(token.span)).and_then(acrc_catalog::word);
+        let parent = parent.and_then(|word| word.command);
+        parent.is_some_and(|parent| acrc_catalog::daughter(parent, self.slice(next.span)).is_some())
     }
 
     fn unknown_command(&mut self, token: Token) -> Failure {

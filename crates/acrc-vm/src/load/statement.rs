@@ -1,6 +1,6 @@
 //! Statements: everything that the machine executes by itself; the rest goes to the host.
 
-use acrc_catalog::{CommandId, OperandClass, command};
+use acrc_catalog::OperandClass;
 use acrc_image::{Instruction, Mark, Node, Separator};
 
 use super::blocks::Role;
@@ -12,6 +12,7 @@ use super::{Jump, Loader};
 use crate::fault::FaultKind;
 use crate::locals::DimBlock;
 use crate::op::Op;
+use crate::own::{Own, own};
 
 impl Loader<'_> {
     /// The instructions of one statement.
@@ -24,7 +25,7 @@ impl Loader<'_> {
         self.mark_start(place);
         match instruction.separator {
             Separator::Line => self.emit(Op::Line),
-            _ if is_passive(instruction.command) => {}
+            _ if own(instruction.command) == Some(Own::Passive) => {}
             _ => self.emit(Op::Statement),
         }
         match role {
@@ -52,29 +53,35 @@ impl Loader<'_> {
 
     /// A statement that is no part of a block.
     fn plain(&mut self, instruction: &Instruction) -> Result<(), LoadErrorKind> {
-        if let Some(block) = dim_block(instruction) {
-            return self.dim(block, instruction);
-        }
-        match instruction.command {
-            command::ENDIF => {}
-            id if is_passive(id) => {}
-            command::ASSIGNMENT => match instruction.items.as_slice() {
-                [target, value] => self.assign(&target.node, &value.node)?,
-                _ => return Err(LoadErrorKind::NotAssignable),
-            },
-            command::GOTO | command::GOSUB => self.branch(instruction)?,
-            command::RETURN => self.emit(Op::Return),
-            // At a prompt these words end nothing; there the host says what they mean.
-            command::END | command::ENDP if !self.boot => self.emit(Op::End),
-            command::SET => self.set_flag(instruction, true)?,
-            command::CLR => self.set_flag(instruction, false)?,
-            command::CLEAR if instruction.items.is_empty() => {
-                self.command(instruction)?;
-                self.emit(Op::Clear);
+        let Some(own) = own(instruction.command) else { return self.command(instruction) };
+        match own {
+            Own::End | Own::Marker if self.boot => self.command(instruction),
+            Own::Block | Own::Marker | Own::Passive => Ok(()),
+            Own::End => {
+                self.emit(Op::End);
+                Ok(())
             }
-            _ => self.command(instruction)?,
+            Own::Return => {
+                self.emit(Op::Return);
+                Ok(())
+            }
+            Own::Assign => match instruction.items.as_slice() {
+                [target, value] => self.assign(&target.node, &value.node),
+                _ => Err(LoadErrorKind::NotAssignable),
+            },
+            Own::Branch => self.branch(instruction),
+            Own::Flag(state) => self.set_flag(instruction, state),
+            // Without a size it reports.
+            Own::Dim(_) if instruction.items.is_empty() => self.command(instruction),
+            Own::Dim(class) => self.dim(dim_block(class, instruction), instruction),
+            Own::Clear => {
+                self.command(instruction)?;
+                if instruction.items.is_empty() {
+                    self.emit(Op::Clear);
+                }
+                Ok(())
+            }
         }
-        Ok(())
     }
 
     /// `target = value`
@@ -118,28 +125,13 @@ impl Loader<'_> {
     }
 }
 
-/// Statements that do nothing when they are reached.
-const fn is_passive(id: CommandId) -> bool {
-    matches!(id, command::REM | command::APOSTROPHE | command::LABEL | command::LINE_NUMBER)
-}
-
-/// What a `DIM` of local variables allocates; `None` for any other statement, and for a `DIM` without a size, which reports.
-fn dim_block(instruction: &Instruction) -> Option<DimBlock> {
-    let class = match instruction.command {
-        command::DIM_LV => OperandClass::Lv,
-        command::DIM_SV => OperandClass::Sv,
-        command::DIM_DV => OperandClass::Dv,
-        command::DIM_STRING_V => OperandClass::StringV,
-        command::DIM_LA => OperandClass::La,
-        command::DIM_SA => OperandClass::Sa,
-        command::DIM_DA => OperandClass::Da,
-        command::DIM_STRING_A => OperandClass::StringA,
-        _ => return None,
-    };
-    let first = instruction.items.first()?;
-    if !class.is_array() {
-        return Some(DimBlock::Variables(class));
-    }
+/// What a `DIM` of local variables allocates.
+fn dim_block(class: OperandClass, instruction: &Instruction) -> DimBlock {
     // A semicolon behind the first item says that it is the number of an array.
-    Some(if first.mark == Mark::Semicolon { DimBlock::Array(class) } else { DimBlock::References(class) })
+    let numbered = instruction.items.first().is_some_and(|item| item.mark == Mark::Semicolon);
+    match (class.is_array(), numbered) {
+        (false, _) => DimBlock::Variables(class),
+        (true, false) => DimBlock::References(class),
+        (true, true) => DimBlock::Array(class),
+    }
 }

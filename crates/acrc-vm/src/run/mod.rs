@@ -3,6 +3,7 @@
 //! [`run`] executes statements until the budget is used up, the program ends, a command has to wait, or something goes wrong, and says which. All state lies in the
 //! frame, the local variables and the host, so a program goes on where it stopped when it is run again.
 
+mod arithmetic;
 mod calls;
 mod input;
 mod slow;

@@ -56,8 +56,8 @@ pub(crate) struct Bench {
     pub(crate) lines: VecDeque<&'static str>,
     /// How often `DWL` has to be offered before it is done.
     pub(crate) patience: u32,
-    waited: u32,
-    seed: u32,
+    pub(crate) waited: u32,
+    pub(crate) seed: u32,
     /// Statements that were reported.
     pub(crate) trace: Vec<u32>,
 }

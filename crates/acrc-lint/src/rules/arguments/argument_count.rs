@@ -117,3 +117,34 @@ fn counted(min: usize, max: usize, unit: &str) -> String {
 fn number(count: usize) -> String {
     if count == 0 { "none".to_owned() } else { count.to_string() }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn axes_need_their_values() {
+        assert_eq!(codes("JOG ABS X\nJOG ABS X10\nSLM X(24,0) Y10\nSLM X(24,0,1)\n"), [(1, "ACR201"), (4, "ACR201")]);
+        assert_eq!(codes("AXIS0 SLM (24,0)\nAXIS0 PPU 4000\nAXIS0 PPU (1,2)\n"), [(3, "ACR201")]);
+    }
+
+    #[test]
+    fn an_interpolation_keyword_changes_what_an_axis_takes() {
+        assert_eq!(codes("X2 SINE Y(0,90,90,100)\nX2 SINE Y(0,90)\n"), [(2, "ACR201")]);
+    }
+
+    #[test]
+    fn reports_need_no_value() {
+        assert_eq!(codes("VEL\nPPU X\nDIM\nATTACH\nHALT ALL\nRUN\n"), []);
+    }
+
+    #[test]
+    fn tuples_behind_a_parameter() {
+        assert_eq!(codes("IHPOS P6160 (40000,5)\nIHPOS P6160 (40000)\n"), [(2, "ACR201")]);
+    }
+
+    #[test]
+    fn functions_count_too() {
+        assert_eq!(codes("P0 = SQRT(P1)\nP0 = SQRT(P1, 2)\n"), [(2, "ACR201")]);
+    }
+}

@@ -146,3 +146,31 @@ fn check_expression(context: &mut Context<'_>, expr: &Expr) {
         _ => {}
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn texts_and_numbers() {
+        assert_eq!(codes("P0 = \"1\"\n$V0 = $V1 + \"a\"\nP0 = VAL($V0)\nP0 = $V0\n"), [(1, "ACR202"), (4, "ACR202")]);
+        assert_eq!(codes("IF ($V0 = \"a\") THEN SET 32\nIF ($V0 = 1) THEN SET 32\n"), [(2, "ACR202")]);
+        assert_eq!(codes("P0 = LEN(5)\nP0 = SQRT(\"a\")\n"), [(1, "ACR202"), (2, "ACR202")]);
+        assert_eq!(codes("DWL \"a\"\nX\"a\"\n"), [(1, "ACR202"), (2, "ACR202")]);
+    }
+
+    #[test]
+    fn an_alias_has_the_kind_of_its_operand() {
+        assert_eq!(codes("#DEFINE Name $V0\nName = 5\nName = \"a\"\n"), [(2, "ACR202")]);
+    }
+
+    #[test]
+    fn a_bit_is_a_whole_number() {
+        assert_eq!(codes("SET 32\nSET 3.2\n"), [(2, "ACR202")]);
+    }
+
+    #[test]
+    fn objects_fit_their_place() {
+        assert_eq!(codes("ATTACH AXIS0 ENC0 DAC0\nATTACH AXIS0 DAC0 ENC0\n"), [(2, "ACR202"), (2, "ACR202")]);
+    }
+}

@@ -76,3 +76,28 @@ fn judge(context: &mut Context<'_>, row: &'static Row, at: usize, value: &Expr) 
     let severity = if range.is_closed() { Severity::Error } else { Severity::Warning };
     context.report(Diagnostic { severity, ..diagnostic });
 }
+
+#[cfg(test)]
+mod tests {
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{codes, lint};
+
+    #[test]
+    fn closed_ranges_are_errors_and_open_ones_warnings() {
+        let severities = |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.severity).collect::<Vec<_>>();
+        assert_eq!(severities("JOG HOME X1 Y-1\n"), []);
+        assert_eq!(severities("JOG HOME X2\n"), [Severity::Error]);
+        assert_eq!(severities("DWL -1\n"), [Severity::Warning]);
+    }
+
+    #[test]
+    fn sizes_of_dim() {
+        assert_eq!(codes("DIM P(4096)\nDIM P(5000)\nDIM PROG16(100)\n"), [(2, "ACR203"), (3, "ACR203")]);
+    }
+
+    #[test]
+    fn what_is_computed_is_not_judged() {
+        assert_eq!(codes("JOG HOME X(P0)\nHLIM X(1+5)\n"), []);
+    }
+}

@@ -39,3 +39,14 @@ fn check(context: &mut Context<'_>, expr: &Expr) {
         context.report(diagnostic.with_help(format!("write {written}.0 for a floating-point number")));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn thirty_two_bits() {
+        assert_eq!(codes("P0 = 4294967295\nP0 = -2147483648\n"), []);
+        assert_eq!(codes("P0 = 4294967296\nP0 = -2147483649\nP0 = -99999999999\n"), [(1, "ACR213"), (2, "ACR213"), (3, "ACR213")]);
+    }
+}

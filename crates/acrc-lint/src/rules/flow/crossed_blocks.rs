@@ -49,3 +49,13 @@ fn finding(context: &Context<'_>, error: BlockError) -> Option<Diagnostic> {
         BlockErrorKind::Unclosed(_) | BlockErrorKind::Unopened(_) => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn nothing_follows_else() {
+        assert_eq!(codes("IF (BIT 1)\nELSE\nSET 32\nELSEIF (BIT 2)\nENDIF\n"), [(4, "ACR112")]);
+    }
+}

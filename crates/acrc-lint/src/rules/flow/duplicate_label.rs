@@ -35,3 +35,13 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn labels_of_different_programs_and_of_different_case_are_different() {
+        assert_eq!(codes("PROG0\nPROGRAM\n_A\n_a\nGOTO A\nENDP\nPROG1\nPROGRAM\n_A\nGOTO A\nENDP\n"), []);
+    }
+}

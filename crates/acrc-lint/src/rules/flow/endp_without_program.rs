@@ -32,3 +32,13 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
         context.report(diagnostic.with_help("open the program with a line PROGRAM before its first statement"));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn the_second_endp_has_no_program() {
+        assert_eq!(codes("PROG0\nPROGRAM\nSET 32\nENDP\nENDP\n"), [(5, "ACR114")]);
+    }
+}

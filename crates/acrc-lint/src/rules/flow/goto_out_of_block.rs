@@ -53,3 +53,24 @@ fn left_block(section: &SectionIndex, from: u32, to: u32) -> Option<&Block> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn a_jump_within_a_block_or_out_of_a_for_is_left_alone() {
+        assert_eq!(codes("WHILE (BIT 1)\n_A\nIF (BIT 2) THEN GOTO A\nWEND\n"), []);
+        assert_eq!(codes("_A\nFOR LV0 = 0 TO 3\nIF (BIT 2) THEN GOTO A\nNEXT\n"), []);
+    }
+
+    #[test]
+    fn gosub_comes_back() {
+        assert_eq!(codes("IF (BIT 1)\nGOSUB A\nENDIF\nEND\n_A\nRETURN\n"), []);
+    }
+
+    #[test]
+    fn a_for_around_does_not_hide_the_block() {
+        assert_eq!(codes("_A\nIF (BIT 1)\nFOR LV0 = 0 TO 3\nGOTO A\nNEXT\nENDIF\n"), [(4, "ACR116")]);
+    }
+}

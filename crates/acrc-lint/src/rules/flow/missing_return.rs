@@ -62,3 +62,35 @@ fn end_of_text(context: &Context<'_>, section: &SectionIndex) -> Option<Span> {
     };
     Some(context.statement_span(last))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    fn sub(body: &str) -> Vec<(u32, &'static str)> {
+        codes(&format!("PROG0\nPROGRAM\nGOSUB Sub\nEND\n_Sub\n{body}\nENDP\n"))
+    }
+
+    #[test]
+    fn every_way_must_end_in_return_or_end() {
+        assert_eq!(sub("IF (BIT 1) THEN RETURN"), [(7, "ACR117")]);
+        assert_eq!(sub("IF (BIT 1)\nRETURN\nENDIF"), [(9, "ACR117")]);
+        assert_eq!(sub("IF (BIT 1)\nRETURN\nELSE\nRETURN\nENDIF"), []);
+        assert_eq!(sub("IF (BIT 1)\nRETURN\nELSEIF (BIT 2)\nRETURN\nENDIF"), [(11, "ACR117")]);
+        assert_eq!(sub("WHILE (BIT 1)\nWEND\nEND"), []);
+    }
+
+    #[test]
+    fn loops_end_where_they_are_left() {
+        assert_eq!(sub("WHILE (1)\nSET 32\nWEND"), []);
+        assert_eq!(sub("WHILE (1)\nIF (BIT 1) THEN BREAK\nWEND"), [(9, "ACR117")]);
+        assert_eq!(sub("FOR LV0 = 1 TO 3\nRETURN\nNEXT"), [(9, "ACR117")]);
+        assert_eq!(sub("GOTO Sub"), []);
+    }
+
+    #[test]
+    fn an_abort_through_goto_is_left_alone_beside_a_return() {
+        assert_eq!(sub("IF (BIT 1) THEN GOTO Failed\nRETURN\n_Failed\nPRINT \"failed\""), []);
+        assert_eq!(sub("GOTO Failed\n_Failed\nPRINT \"failed\""), [(9, "ACR117")]);
+    }
+}

@@ -32,3 +32,14 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
     let diagnostic = RULE.at(context.statement_span(opener), format!("PROGRAM of {program} has no ENDP"));
     context.report(diagnostic.with_label("opened here").with_help("end the text of the program with a line ENDP"));
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn the_next_program_does_not_close_the_one_before() {
+        assert_eq!(codes("PROG0\nPROGRAM\nSET 32\nPROG1\nPROGRAM\nSET 33\nENDP\n"), []);
+        assert_eq!(codes("PROG0\nPROGRAM\nSET 32\n"), [(2, "ACR113")]);
+    }
+}

@@ -32,3 +32,18 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn each_kind_of_block_must_be_closed() {
+        assert_eq!(codes("WHILE (BIT 1)\nFOR LV0 = 0 TO 3\nIF (BIT 2)\n"), [(1, "ACR110"), (2, "ACR110"), (3, "ACR110")]);
+    }
+
+    #[test]
+    fn else_if_in_two_words_shares_the_endif() {
+        assert_eq!(codes("IF (BIT 1)\nSET 32\nELSE IF (BIT 2)\nSET 33\nELSE\nSET 34\nENDIF\n"), []);
+    }
+}

@@ -70,3 +70,26 @@ fn near<'a>(context: &Context<'a>, section: &SectionIndex, name: &str) -> Option
     let labels = || section.labels.iter().map(|label| context.slice(label.name));
     labels().find(|label| label.eq_ignore_ascii_case(name)).or_else(|| acrc_analysis::nearest(name, labels()))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{codes, codes_in, lint};
+
+    #[test]
+    fn a_jump_finds_labels_and_line_numbers_of_its_own_program() {
+        assert_eq!(codes("PROG0\nPROGRAM\nGOTO A\n_A\nENDP\nPROG1\nPROGRAM\nGOTO A\nENDP\n"), [(8, "ACR101")]);
+        assert_eq!(codes("PROG0\n10 GOTO 20\n20 GOTO 30\n"), [(3, "ACR101")]);
+        assert_eq!(codes("PROG0\nPROGRAM\n_100\nGOTO 100\nENDP\n"), []);
+    }
+
+    #[test]
+    fn a_jump_at_a_prompt_finds_labels_of_the_stored_program() {
+        assert_eq!(codes("PROG0\nPROGRAM\n_A\nSET 32\nGOTO A\nENDP\nGOTO A\n"), []);
+    }
+
+    #[test]
+    fn a_program_file_without_program_is_one_program() {
+        let text = "GOSUB Open\nEND\n_Open\nSET 32\nRETURN\n";
+        assert_eq!(codes_in(text, &lint(&[("Prog0.8K", text)]).concat()), []);
+    }
+}

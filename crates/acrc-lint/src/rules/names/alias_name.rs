@@ -58,3 +58,15 @@ fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
 fn takes_digits(model: &str) -> bool {
     model.starts_with("ACR7") || model.starts_with("IPA")
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn up_to_twenty_four_letters() {
+        let name = |count: usize| "A".repeat(count);
+        assert_eq!(codes(&format!("#DEFINE {} P1\n", name(24))), []);
+        assert_eq!(codes(&format!("#DEFINE {} P1\n", name(25))), [(1, "ACR212")]);
+    }
+}

@@ -73,3 +73,31 @@ fn judge(span: Span, name: &str) -> Option<Diagnostic> {
             .unconfirmed()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{codes, lint};
+
+    fn attach(name: &str) -> Vec<(u32, &'static str)> {
+        codes(&format!("PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"{name}\"\n"))
+    }
+
+    #[test]
+    fn one_to_four_letters() {
+        for good in ["X", "x", "ROT", "FEED"] {
+            assert_eq!(attach(good), [], "{good}");
+        }
+        for bad in ["", "TABLE", "X1", "A B", "P", "f", "\u{c4}"] {
+            assert_eq!(attach(bad), [(3, "ACR205")], "{bad}");
+        }
+    }
+
+    #[test]
+    fn words_of_the_language_are_only_warned_of() {
+        let found = lint(&[("test.8K", "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"VEL\"\n")]).concat();
+        assert!(found.iter().all(|diagnostic| diagnostic.unconfirmed && diagnostic.severity == Severity::Warning));
+        assert_eq!(found.len(), 1);
+    }
+}

@@ -47,3 +47,22 @@ fn check(context: &mut Context<'_>) {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{codes, lint};
+
+    #[test]
+    fn the_same_operand_again_is_only_superfluous() {
+        let found = lint(&[("a.8K", "#DEFINE Clamp BIT32\n"), ("b.8K", "#DEFINE Clamp bit 32\n")]);
+        assert_eq!(found[0], []);
+        assert_eq!(found[1].iter().map(|d| (d.code.id, d.severity)).collect::<Vec<_>>(), [("ACR211", Severity::Advice)]);
+    }
+
+    #[test]
+    fn aliases_of_different_case_are_different() {
+        assert_eq!(codes("#DEFINE Clamp BIT32\n#DEFINE CLAMP BIT33\n"), []);
+    }
+}

@@ -40,3 +40,43 @@ fn message(conflict: &Conflict) -> String {
         Taken::Name => format!("{program} already has an axis of this name: AXIS{axis} on SLAVE{slot}"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{codes, codes_in, lint};
+
+    const FIRST: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n";
+
+    fn then(rest: &str) -> Vec<(u32, &'static str)> {
+        codes(&format!("{FIRST}{rest}\n"))
+    }
+
+    #[test]
+    fn slot_axis_and_name_are_taken() {
+        assert_eq!(then("ATTACH SLAVE0 AXIS1 \"Y\""), [(4, "ACR206")]);
+        assert_eq!(then("ATTACH SLAVE1 AXIS0 \"Y\""), [(4, "ACR206")]);
+        assert_eq!(then("ATTACH SLAVE1 AXIS1 \"x\""), [(4, "ACR206")]);
+        assert_eq!(then("PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS0 \"X\""), [(6, "ACR206")]);
+    }
+
+    #[test]
+    fn detach_frees_them() {
+        assert_eq!(then("DETACH\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"Y\""), []);
+        assert_eq!(then("DETACH SLAVE0\nATTACH SLAVE0 AXIS1 \"X\""), []);
+        assert_eq!(then("PROG1\nDETACH ALL\nATTACH MASTER1\nATTACH SLAVE0 AXIS0 \"X\""), []);
+    }
+
+    #[test]
+    fn what_may_not_happen_proves_nothing() {
+        let program = "PROG0\nPROGRAM\nIF (BIT 1)\nATTACH SLAVE0 AXIS0 \"X\"\nELSE\nATTACH SLAVE0 AXIS1 \"X\"\nENDIF\nENDP\n";
+        assert_eq!(codes(program), []);
+    }
+
+    #[test]
+    fn a_conflict_is_found_across_files() {
+        let second = "PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS0 \"Z\"\n";
+        let found = lint(&[("Setup.8K", FIRST), ("more.8K", second)]);
+        assert_eq!(codes_in(FIRST, &found[0]), []);
+        assert_eq!(codes_in(second, &found[1]), [(3, "ACR206")]);
+    }
+}

@@ -97,3 +97,51 @@ fn misspelt(axis: &Axis, name: &str, command: &str) -> Diagnostic {
 fn is_whole_move(statement: &Statement) -> bool {
     matches!(&statement.kind, StatementKind::Command(c) if c.id == command::AXIS_MOVE && c.arguments.len() == 1)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{codes, codes_in, lint};
+
+    const X: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n";
+
+    fn in_program(statement: &str) -> Vec<(u32, &'static str)> {
+        codes(&format!("{X}{statement}\n"))
+    }
+
+    #[test]
+    fn axis_names_have_no_case_and_numbers_need_no_name() {
+        assert_eq!(in_program("x10 : JOG VEL X5 : RES AXIS1 : AXIS1 JOG INC 5"), []);
+        assert_eq!(in_program("JOG VEL X5 Y5"), [(4, "ACR204")]);
+    }
+
+    #[test]
+    fn names_belong_to_their_program() {
+        assert_eq!(codes(&format!("{X}PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Y\"\nX10\n")), [(7, "ACR204")]);
+    }
+
+    #[test]
+    fn a_program_without_attachments_is_told_so_once() {
+        assert_eq!(codes("PROG0\nX10\nY20\nPROG1\nZ30\n"), [(2, "ACR204"), (5, "ACR204")]);
+    }
+
+    #[test]
+    fn a_piece_of_code_may_name_any_axis() {
+        assert_eq!(codes("X10 Y20\nJOG VEL ARM5\n"), []);
+    }
+
+    #[test]
+    fn a_misspelt_command_is_told_apart() {
+        let messages = |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.message.clone()).collect::<Vec<_>>();
+        let unknown = "unknown command or axis `VLE`: did you mean `VEL`?";
+        assert_eq!(messages(&format!("{X}VLE 5\n")), [unknown]);
+        assert_eq!(messages("VLE 5\n"), [unknown]);
+    }
+
+    #[test]
+    fn the_setup_of_a_project_names_the_axes_of_its_programs() {
+        let files = [("Setup.8K", X), ("Prog0.8K", "PROGRAM\nX10\nY10\nENDP\n")];
+        let found = lint(&files);
+        assert_eq!(codes_in(files[0].1, &found[0]), []);
+        assert_eq!(codes_in(files[1].1, &found[1]), [(3, "ACR204")]);
+    }
+}

@@ -46,3 +46,27 @@ fn finding(context: &Context<'_>, expr: &Expr, near: Option<&str>) -> Diagnostic
             .with_help(format!("define it: #DEFINE {name} followed by a parameter, bit, variable or constant")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{codes, lint};
+
+    #[test]
+    fn aliases_are_global_and_may_be_defined_later() {
+        let found = lint(&[("Prog0.8K", "PROGRAM\nSET Clamp\nENDP\n"), ("Setup.8K", "#DEFINE Clamp BIT32\n")]);
+        assert_eq!(found.concat(), []);
+    }
+
+    #[test]
+    fn a_piece_of_code_may_use_names_that_it_does_not_define() {
+        assert_eq!(codes("VEL (Speed)\nSET Clamp\n"), []);
+        assert_eq!(codes("PROGRAM\nVEL (Speed)\nENDP\n"), [(2, "ACR210")]);
+    }
+
+    #[test]
+    fn an_axis_is_no_value() {
+        let text = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPRINT X\n";
+        assert_eq!(codes(text), [(4, "ACR210")]);
+        assert_eq!(lint(&[("test.8K", text)])[0][0].message, "`X` is an axis, which has no value of its own");
+    }
+}

@@ -85,3 +85,19 @@ fn judge(context: &mut Context<'_>, span: Span, class: OperandClass, number: u64
         context.report(RULE.at(span, format!("{name} ({title}) is written by the controller only")));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn every_way_of_writing() {
+        assert_eq!(codes("P12290 = 5\nBIT 792 = 1\nSET BIT792\n"), [(1, "ACR302"), (2, "ACR302"), (3, "ACR302")]);
+        assert_eq!(codes("P12288 = 0\nSET 8467\nCLR 522\nP0 = P12290\n"), []);
+    }
+
+    #[test]
+    fn through_an_alias() {
+        assert_eq!(codes("#DEFINE Jogging BIT792\nCLR Jogging\n"), [(2, "ACR302")]);
+    }
+}

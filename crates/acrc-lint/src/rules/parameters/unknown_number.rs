@@ -90,3 +90,14 @@ fn report_missing_object(context: &mut Context<'_>, span: Span, name: &str, obje
         context.report_by(model.confidence, diagnostic);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::codes;
+
+    #[test]
+    fn numbers_are_found_wherever_they_stand() {
+        assert_eq!(codes("IF (BIT 999999) THEN P999999 = 1\nSET 999999\nINH -BIT999999\n").len(), 4);
+        assert_eq!(codes("P0 = P(12290) + BIT(516)\n"), []);
+    }
+}

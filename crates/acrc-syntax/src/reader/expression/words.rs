@@ -41,6 +41,9 @@ impl Reader<'_> {
 
     /// The class that `$V` and `$A` name.
     pub(in crate::reader) fn dollar_class(&self, token: Token) -> Option<OperandClass> {
+        if token.kind != TokenKind::Dollar {
+            return None;
+        }
         let named = |class: &&OperandClass| class.name().eq_ignore_ascii_case(self.slice(token.span));
         [OperandClass::StringV, OperandClass::StringA].iter().find(named).copied()
     }
@@ -110,7 +113,9 @@ impl Reader<'_> {
 
     /// Whether the next token is a variable or a function: a value without the doubt that a name leaves.
     pub(in crate::reader) fn is_operand_or_function(&self, token: Token, word: Option<Word>) -> bool {
-        word.is_some_and(|word| word.operand.is_some()) || self.function(token, word).is_some()
+        word.is_some_and(|word| word.operand.is_some())
+            || self.dollar_class(token).is_some()
+            || self.function(token, word).is_some()
     }
 
     /// A value that a command takes as it stands: `5`, `-5`, `(P0+1)`, `P0`, `Speed`.
