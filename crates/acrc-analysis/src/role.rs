@@ -1,5 +1,5 @@
 //! What a file is to a project, by its name: the vendor's editor saves `Setup.8K`, `Prog0.8K` .. `Prog15.8K` and
-//! `PLC0.8K` .. `PLC7.8K` (guide, "Program Development", and semantics of the download).
+//! `PLC0.8K` .. `PLC7.8K`.
 
 use std::fmt;
 

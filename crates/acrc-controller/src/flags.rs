@@ -1,5 +1,7 @@
 //! The flag words P4096..P4647 and the bits in them: one memory, two views (guide, "System Parameters and Flags").
 
+use acrc_catalog::Law;
+
 /// First parameter that is a flag word.
 pub(crate) const FIRST_WORD: u32 = 4096;
 /// Number of flag words.
@@ -32,6 +34,13 @@ impl Flags {
         if let Some(word) = self.words.get_mut(bit as usize / 32) {
             let mask = 1 << (bit % 32);
             *word = if state { *word | mask } else { *word & !mask };
+        }
+    }
+
+    /// Changes the flag of an object; objects that have no such flag are left out.
+    pub(crate) fn set_law(&mut self, law: Law, object: u32, state: bool) {
+        if let Some(bit) = law.get(object) {
+            self.set(bit, state);
         }
     }
 

@@ -16,6 +16,7 @@ mod host;
 mod machine;
 mod master;
 mod memory;
+mod orders;
 mod program;
 mod registers;
 mod report;

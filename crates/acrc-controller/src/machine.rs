@@ -91,7 +91,7 @@ impl Machine {
         };
         for axis in 0..u32::from(model.axes) {
             // An ideal machine has no following error, so every axis stays inside its error band.
-            machine.flags.set(law::NOT_EXCESS_ERROR.at(axis), true);
+            machine.flags.set_law(law::NOT_EXCESS_ERROR, axis, true);
         }
         machine
     }
@@ -125,6 +125,11 @@ impl Machine {
     /// Tick of the next scripted event.
     pub(crate) fn next_event_tick(&self) -> Option<u64> {
         self.world.events().get(self.next_event).map(|event| self.clock.tick_at(event.at))
+    }
+
+    /// Whether a master has moves that run or wait.
+    pub(crate) fn moves(&self, master: usize) -> bool {
+        self.masters[master].profiler.in_motion()
     }
 
     /// Whether any master moves.
@@ -187,11 +192,6 @@ impl Machine {
         }
         let advanced = master.profiler.advance(period);
         master.statistics.moves += u64::from(advanced.completed);
-        if advanced.stopped {
-            // Stop All Moves ends by setting Kill All Moves; a program that was halted leaves no such flag.
-            self.flags.set(law::KILL_ALL_MOVES.at(index as u32), master.stopping_kills);
-            master.stopping_kills = false;
-        }
         master.settling = !master.profiler.in_motion();
         master.statistics.motion_ticks += 1;
         for (slot, axis) in master.attached() {
@@ -204,11 +204,14 @@ impl Machine {
                 profiler.acceleration(slot),
             );
         }
+        if advanced.stopped {
+            self.stopped(index);
+        }
         self.note_drop(index, advanced.dropped_velocity);
         self.update_master_flags(index);
     }
 
-    /// Brings the flags of a master in line with its profiler.
+    /// Brings the flags of a master and of its axes in line with its profiler.
     pub(crate) fn update_master_flags(&mut self, index: usize) {
         let profiler = &self.masters[index].profiler;
         let hold = profiler.hold_state();
@@ -221,7 +224,11 @@ impl Machine {
             (law::IN_FEEDHOLD, hold == HoldState::InFeedhold),
         ];
         for (law, state) in states {
-            self.flags.set(law.at(index as u32), state);
+            self.flags.set_law(law, index as u32, state);
+        }
+        for (slot, axis) in self.masters[index].attached() {
+            let in_position = profiler.position(slot) == profiler.target(slot);
+            self.flags.set_law(law::NOT_IN_POSITION, u32::from(axis), !in_position);
         }
     }
 
@@ -265,6 +272,9 @@ impl Machine {
         if self.axis_in_motion(axis) {
             return Err(ControllerError::InMotion);
         }
+        if !units.is_finite() {
+            return Err(ControllerError::Move(format!("AXIS{axis} cannot be at a position beyond the range of numbers")));
+        }
         let state = &mut self.axes[usize::from(axis)];
         match state.slave {
             Some(SlaveSlot { master, slot }) => {
@@ -282,6 +292,9 @@ impl Machine {
 
     /// Changes pulses per unit. The pulses of the registers stay, so the position in units changes.
     pub(crate) fn set_pulses_per_unit(&mut self, axis: u8, ratio: f64) -> Result<(), ControllerError> {
+        if ratio <= 0.0 {
+            return Err(ControllerError::BadValue { command: "PPU", problem: format!("{ratio} is not above 0") });
+        }
         let before = &self.axes[usize::from(axis)];
         let position = self.position(axis) * before.pulses_per_unit / ratio;
         self.set_position(axis, position)?;

@@ -14,8 +14,6 @@ pub(crate) struct Master {
     pub(crate) profiler: Profiler,
     /// What the next move is made with.
     pub(crate) settings: MoveSettings,
-    /// The stop under way was ordered by Stop All Moves, which ends in Kill All Moves.
-    pub(crate) stopping_kills: bool,
     /// A move has just ended; whether its velocity dropped is known in the next tick.
     pub(crate) settling: bool,
     /// `VECTOR`.
@@ -42,7 +40,6 @@ impl Master {
         Self {
             profiler: Profiler::new(QUEUE),
             settings: MoveSettings::default(),
-            stopping_kills: false,
             settling: false,
             vector: 0.0,
             program: None,

@@ -6,6 +6,7 @@ use acrc_vm::Value;
 use crate::error::ControllerError;
 use crate::flags::{FIRST_WORD, Flags};
 use crate::machine::{Machine, Request};
+use crate::orders::Order;
 
 impl Machine {
     /// State of a flag.
@@ -34,27 +35,14 @@ impl Machine {
         Ok(())
     }
 
-    /// The flags that command a master. Requests clear themselves, so they are never seen set.
+    /// The flags that command a master. Requests clear themselves: Stop All Moves when the master has stopped, the others at once.
     fn write_master_flag(&mut self, number: u32, state: bool) -> bool {
         for (law, order) in MASTER_FLAGS {
             let Some(index) = law.index_of(number) else { continue };
-            if let Some(master) = self.masters.get_mut(index as usize) {
-                match (order, state) {
-                    (Order::Feedhold, true) => master.profiler.feedhold(),
-                    (Order::CycleStart, true) => master.profiler.cycle_start(),
-                    (Order::Stop, true) => {
-                        master.stopping_kills = true;
-                        master.profiler.stop();
-                    }
-                    (Order::Kill, _) => {
-                        if state {
-                            master.profiler.kill();
-                        }
-                        self.flags.set(number, state);
-                    }
-                    (_, false) => {}
-                }
-                self.update_master_flags(index as usize);
+            if state {
+                self.order(index as usize, order);
+            } else if order == Order::Kill {
+                self.flags.set(number, false);
             }
             return true;
         }
@@ -181,7 +169,7 @@ impl Machine {
                 self.set_position(axis, units)?;
                 return Ok(true);
             }
-            if is(law::PPU) && real > 0.0 {
+            if is(law::PPU) {
                 self.set_pulses_per_unit(axis, real)?;
                 return Ok(true);
             }
@@ -216,15 +204,6 @@ impl Machine {
     fn outside_user(&self, number: i64) -> ControllerError {
         ControllerError::UserParameter { number, count: self.memory.user_count() }
     }
-}
-
-/// What a master is told through a flag.
-#[derive(Clone, Copy)]
-enum Order {
-    Feedhold,
-    CycleStart,
-    Kill,
-    Stop,
 }
 
 /// Flags that command a master.

@@ -66,7 +66,10 @@ impl Scheduler {
     pub(crate) fn skip(&mut self, slices: u64, running: &[bool]) {
         let low = running.iter().skip(HIGH_PROGRAMS).any(|running| *running);
         let ring = running.iter().take(HIGH_PROGRAMS).filter(|running| **running).count() + 1 + usize::from(low);
-        for _ in 0..slices % ring as u64 {
+        // The first round may begin beside the ring, where a program has just ended; every further round is like the one before.
+        let ring = ring as u64;
+        let given = if slices < ring { slices } else { ring + slices % ring };
+        for _ in 0..given {
             self.next(running);
         }
     }

@@ -19,29 +19,30 @@ pub(crate) struct Flow {
 }
 
 /// A step from one statement to another, both counted from the start of the section.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 struct Step {
-    to: u32,
     from: u32,
+    to: u32,
     /// It is a GOTO.
     jump: bool,
 }
 
 impl Flow {
     /// Follows all ways through `section`, whose blocks must be balanced.
-    pub(crate) fn new(tree: &Tree, text: &str, section: &SectionIndex) -> Self {
-        let mut graph = Graph::new(tree, text, section);
+    pub(crate) fn new(tree: &Tree, section: &SectionIndex) -> Self {
+        let mut graph = Graph::new(tree, section);
         let count = graph.count;
         for at in 0..count {
             graph.add_steps(at);
         }
-        graph.steps.sort_unstable();
+        graph.add_jumps();
         let stops: Vec<u32> = (0..count).filter(|at| graph.stops(*at)).collect();
+        let back = BackSteps::new(&graph.steps, count);
         Self {
             start: section.section.statements.start,
-            falls_off: graph.reaching(&[count], false),
-            reaches_end: graph.reaching(&[count], true),
-            reaches_stop: graph.reaching(&stops, true),
+            falls_off: back.reaching(&[count], false),
+            reaches_end: back.reaching(&[count], true),
+            reaches_stop: back.reaching(&stops, true),
         }
     }
 
@@ -56,7 +57,6 @@ impl Flow {
 
 struct Graph<'a> {
     tree: &'a Tree,
-    text: &'a str,
     section: &'a SectionIndex,
     start: u32,
     count: u32,
@@ -64,10 +64,10 @@ struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    fn new(tree: &'a Tree, text: &'a str, section: &'a SectionIndex) -> Self {
+    fn new(tree: &'a Tree, section: &'a SectionIndex) -> Self {
         let range = &section.section.statements;
         let count = range.end.saturating_sub(range.start);
-        Self { tree, text, section, start: range.start, count, steps: Vec::with_capacity(count as usize + 1) }
+        Self { tree, section, start: range.start, count, steps: Vec::with_capacity(count as usize + 1) }
     }
 
     fn statement(&self, at: u32) -> Option<&'a Statement> {
@@ -90,8 +90,8 @@ impl<'a> Graph<'a> {
             StatementKind::If(_) => self.add_branch(at),
             StatementKind::For(_) => self.add_loop(at, false),
             StatementKind::Command(command) => match command.id {
-                command::RETURN | command::END => {}
-                command::GOTO => self.add_goto(at, &command.arguments),
+                // Jumps are added from the index of the section.
+                command::RETURN | command::END | command::GOTO => {}
                 command::BREAK => self.add_break(at),
                 command::ELSEIF | command::ELSE_IF => self.add_branch(at),
                 command::WHILE => self.add_loop(at, command.arguments.iter().any(always_true)),
@@ -148,12 +148,10 @@ impl<'a> Graph<'a> {
         }
     }
 
-    fn add_goto(&mut self, at: u32, arguments: &[Argument]) {
-        for argument in arguments {
-            if let Argument::Target(target) = argument
-                && let Some(to) = self.section.resolve(self.text, *target)
-            {
-                self.step(at, to.saturating_sub(self.start), true);
+    fn add_jumps(&mut self) {
+        for jump in self.section.jumps.iter().filter(|jump| !jump.call) {
+            if let Some(to) = jump.to {
+                self.step(jump.statement.saturating_sub(self.start), to.saturating_sub(self.start), true);
             }
         }
     }
@@ -172,19 +170,58 @@ impl<'a> Graph<'a> {
         let end = self.tree.lines().get(line as usize).map_or(self.start + self.count, |line| line.statements.end);
         end.saturating_sub(self.start)
     }
+}
 
-    /// The statements from which one of `goals` can be reached. The steps are sorted by where they lead.
+/// The steps by where they lead.
+struct BackSteps {
+    /// By statement: where its steps begin in `steps`; the next entry is where they end.
+    first: Vec<u32>,
+    /// Where they come from, and whether by a GOTO.
+    steps: Vec<(u32, bool)>,
+}
+
+impl BackSteps {
+    /// Sorts the steps between `count` statements, and the end behind them, by counting.
+    fn new(steps: &[Step], count: u32) -> Self {
+        let mut first = vec![0_u32; count as usize + 3];
+        for step in steps {
+            if let Some(after) = first.get_mut(step.to as usize + 2) {
+                *after += 1;
+            }
+        }
+        let mut sum = 0;
+        for place in &mut first {
+            sum += *place;
+            *place = sum;
+        }
+        let mut sorted = vec![(0, false); steps.len()];
+        for step in steps {
+            if let Some(next) = first.get_mut(step.to as usize + 1) {
+                if let Some(place) = sorted.get_mut(*next as usize) {
+                    *place = (step.from, step.jump);
+                }
+                *next += 1;
+            }
+        }
+        Self { first, steps: sorted }
+    }
+
+    fn leading_to(&self, to: u32) -> &[(u32, bool)] {
+        let bound = |at: usize| self.first.get(at).map_or(self.steps.len(), |place| *place as usize);
+        self.steps.get(bound(to as usize)..bound(to as usize + 1)).unwrap_or_default()
+    }
+
+    /// The statements from which one of `goals` can be reached.
     fn reaching(&self, goals: &[u32], with_jumps: bool) -> Vec<bool> {
-        let mut reached = vec![false; self.count as usize + 1];
+        let mut reached = vec![false; self.first.len()];
         let mut open: Vec<u32> = goals.to_vec();
         while let Some(goal) = open.pop() {
             match reached.get_mut(goal as usize) {
                 Some(seen) if !*seen => *seen = true,
                 _ => continue,
             }
-            let from = self.steps.partition_point(|step| step.to < goal);
-            let steps = self.steps.get(from..).unwrap_or_default().iter().take_while(|step| step.to == goal);
-            open.extend(steps.filter(|step| with_jumps || !step.jump).map(|step| step.from));
+            let steps = self.leading_to(goal).iter();
+            open.extend(steps.filter(|(_, jump)| with_jumps || !jump).map(|(from, _)| *from));
         }
         reached
     }

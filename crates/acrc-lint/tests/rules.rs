@@ -9,7 +9,7 @@ use acrc_syntax::SourceText;
 const NAME: &str = "example.8K";
 
 /// Pages whose examples describe a file instead of showing one.
-const DESCRIBED: [&str; 3] = ["ACR004", "ACR025", "ACR027"];
+const DESCRIBED: [&str; 4] = ["ACR004", "ACR025", "ACR027", "ACR031"];
 
 fn lint(program: &str) -> Vec<Diagnostic> {
     let db = Database::new();

@@ -2,8 +2,8 @@
 
 mod support;
 
-use acrc_catalog::{Keyword, OperandClass, Operator, UnaryOperator, command};
-use acrc_image::{Alias, Instruction, Item, Mark, Node, Separator, UnitBuilder, UnitName};
+use acrc_catalog::{CommandId, Keyword, OperandClass, Operator, UnaryOperator, command};
+use acrc_image::{Alias, Instruction, Item, Mark, Node, Separator, UnitName};
 use acrc_vm::{Budget, Code, Stop};
 use proptest::prelude::*;
 use support::{Machine, output, value};
@@ -114,23 +114,10 @@ fn node() -> impl Strategy<Value = Node> {
     })
 }
 
-/// Any statement, with flow and memory more often than a fair choice would give.
-fn instruction() -> impl Strategy<Value = Instruction> {
-    let every: Vec<_> = acrc_catalog::all_commands().map(|command| command.id).collect();
-    let own = [
+/// A statement of any command, if the loader takes it by itself.
+fn statement() -> impl Strategy<Value = Vec<Instruction>> {
+    const OWN: &[CommandId] = &[
         command::ASSIGNMENT,
-        command::ASSIGNMENT,
-        command::IF,
-        command::ENDIF,
-        command::ELSE,
-        command::WHILE,
-        command::WEND,
-        command::FOR,
-        command::NEXT,
-        command::BREAK,
-        command::GOTO,
-        command::GOSUB,
-        command::RETURN,
         command::DIM_LV,
         command::DIM_DV,
         command::DIM_LA,
@@ -138,39 +125,107 @@ fn instruction() -> impl Strategy<Value = Instruction> {
         command::PRINT,
         command::INPUT,
         command::SET,
-        command::LABEL,
-        command::LINE_NUMBER,
+        command::RETURN,
+        command::BREAK,
     ];
-    let id = prop_oneof![3 => prop::sample::select(own.to_vec()), 1 => prop::sample::select(every)];
-    let mark = prop::sample::select(&Mark::ALL[..]);
-    let item = prop_oneof![6 => node(), 1 => (0..3u16).prop_map(Node::LabelRef)];
-    let items = prop::collection::vec((item, mark).prop_map(|(node, mark)| Item { node, mark }), 0..4);
-    let separator = prop::sample::select(&Separator::ALL[..]);
-    (separator, id, items).prop_map(|(separator, command, items)| Instruction { address: 0, separator, command, items })
+    let every: Vec<_> = acrc_catalog::all_commands().map(|command| command.id).collect();
+    let id = prop_oneof![4 => prop::sample::select(OWN), 1 => prop::sample::select(every)];
+    let item = (node(), prop::sample::select(&Mark::ALL[..])).prop_map(|(node, mark)| Item { node, mark });
+    let items = prop::collection::vec(item, 0..4);
+    let made = (prop::bool::ANY, id, items).prop_map(|(line, command, items)| {
+        let separator = if line { Separator::Line } else { Separator::Colon };
+        Instruction { address: 0, separator, command, items }
+    });
+    made.prop_map(|instruction| {
+        let alone = [instruction];
+        if load(&alone).is_some() { alone.to_vec() } else { Vec::new() }
+    })
+}
+
+/// A line with a command of program flow.
+fn flow(command: CommandId, items: Vec<Node>) -> Instruction {
+    let items = items.into_iter().map(Item::from).collect();
+    Instruction { address: 0, separator: Separator::Line, command, items }
+}
+
+/// An expression that can be a condition or a bound.
+fn condition() -> impl Strategy<Value = Node> {
+    node().prop_filter("an expression", |node| {
+        load(&[flow(command::ASSIGNMENT, vec![Node::scalar(OperandClass::Parameter, 0), node.clone()])]).is_some()
+    })
+}
+
+/// Statements in blocks of any nesting.
+fn program() -> impl Strategy<Value = Vec<Instruction>> {
+    let plain = prop::collection::vec(statement(), 1..6).prop_map(|statements| statements.concat());
+    plain.prop_recursive(4, 48, 4, |inner| {
+        let body = prop::collection::vec(inner, 1..4).prop_map(|parts| parts.concat());
+        let counter =
+            (prop::sample::select(OperandClass::ALL), 0..3i32).prop_map(|(class, index)| Node::scalar(class, index));
+        let counter =
+            counter.prop_filter("one value", |node| !matches!(node, Node::Scalar { class, .. } if class.is_array()));
+        let wrap = |open: Instruction, body: Vec<Instruction>, close: CommandId| {
+            [vec![open], body, vec![flow(close, vec![])]].concat()
+        };
+        prop_oneof![
+            (condition(), body.clone()).prop_map(move |(c, body)| wrap(
+                flow(command::WHILE, vec![c]),
+                body,
+                command::WEND
+            )),
+            (condition(), body.clone()).prop_map(move |(c, body)| wrap(
+                flow(command::IF, vec![c]),
+                body,
+                command::ENDIF
+            )),
+            (condition(), body.clone(), body.clone()).prop_map(move |(c, first, second)| {
+                let branches = [first, vec![flow(command::ELSE, vec![])], second].concat();
+                wrap(flow(command::IF, vec![c]), branches, command::ENDIF)
+            }),
+            (counter, condition(), condition(), body).prop_map(move |(counter, start, end, body)| {
+                wrap(flow(command::FOR, vec![counter, start, end]), body, command::NEXT)
+            }),
+        ]
+    })
+}
+
+/// Encodes and loads a program; `None` when it is refused.
+fn load(instructions: &[Instruction]) -> Option<Code> {
+    let aliases = [Alias { name: "A".into(), target: Node::scalar(OperandClass::Lv, 1) }];
+    let unit = acrc_image::encode(UnitName::Program(0), instructions).ok()?;
+    Code::load(&unit, &aliases).ok()
+}
+
+/// `DIM` of some variables of every class.
+fn dimensions() -> Vec<Instruction> {
+    let sizes = [
+        (command::DIM_LV, vec![3]),
+        (command::DIM_SV, vec![3]),
+        (command::DIM_DV, vec![3]),
+        (command::DIM_STRING_V, vec![3, 8]),
+        (command::DIM_LA, vec![3]),
+        (command::DIM_STRING_A, vec![3]),
+    ];
+    sizes.into_iter().map(|(command, sizes)| flow(command, sizes.into_iter().map(Node::Long).collect())).collect()
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
-    fn no_verified_unit_panics(instructions in prop::collection::vec(instruction(), 1..40)) {
-        let aliases = [Alias { name: "A".into(), target: Node::scalar(OperandClass::Lv, 1) }];
-        let mut builder = UnitBuilder::new(UnitName::Program(0));
-        for instruction in &instructions {
-            // What cannot be encoded is left out.
-            let _ = builder.push(instruction.separator, instruction.command, &instruction.items);
-        }
-        if let Ok(unit) = builder.finish()
-            && let Ok(code) = Code::load(&unit, &aliases)
-        {
-            let mut machine = Machine::with(code);
-            for _ in 0..20 {
-                let run = machine.run(Budget::statements(50));
-                prop_assert!(run.statements <= 50);
-                // A fault ends a real program; here the next statements are tried as well.
-                if run.stop == Stop::Ended {
-                    break;
-                }
+    fn no_verified_program_panics(program in program(), dimensioned: bool) {
+        let instructions = if dimensioned { [dimensions(), program].concat() } else { program };
+        let code = load(&instructions);
+        prop_assert!(code.is_some(), "a program of statements that load does not load");
+        let mut machine = Machine::with(code.unwrap());
+        for _ in 0..40 {
+            let run = machine.run(Budget::statements(50));
+            prop_assert!(run.statements <= 50);
+            match run.stop {
+                Stop::Ended => break,
+                // Such a program mostly consists of faults; the statements behind them count as well.
+                Stop::Fault(_) => machine.frame.skip_statement(&machine.code),
+                Stop::Blocked | Stop::Budget => {}
             }
         }
     }

@@ -74,7 +74,9 @@ impl<'a> Builder<'a> {
         }
         labels.sort_by_key(|label: &LabelSite| (self.slice(label.name), label.statement));
         let lines = self.line_numbers(&section);
-        index.sections.push(SectionIndex { section, labels, lines, jumps, blocks });
+        let mut section = SectionIndex { section, labels, lines, jumps, blocks };
+        section.resolve_jumps(self.text);
+        index.sections.push(section);
     }
 
     fn collect_uses(&mut self, statement: &Statement) {
@@ -137,7 +139,7 @@ fn jump(statement: u32, command: &Command) -> Option<Jump> {
         _ => return None,
     };
     command.arguments.iter().find_map(|argument| match argument {
-        Argument::Target(target) => Some(Jump { statement, target: *target, call }),
+        Argument::Target(target) => Some(Jump { statement, target: *target, to: None, call }),
         _ => None,
     })
 }

@@ -60,6 +60,14 @@ impl SectionIndex {
         rest.get(..count).unwrap_or_default()
     }
 
+    pub(super) fn resolve_jumps(&mut self, text: &str) {
+        let mut jumps = std::mem::take(&mut self.jumps);
+        for jump in &mut jumps {
+            jump.to = self.resolve(text, jump.target);
+        }
+        self.jumps = jumps;
+    }
+
     /// The statement that a jump of this section leads to: a label, or a line number. A bare number is a line number
     /// unless only a label of that name exists.
     pub fn resolve(&self, text: &str, target: Target) -> Option<u32> {

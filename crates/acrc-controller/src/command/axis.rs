@@ -31,9 +31,9 @@ fn drive_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErr
         let axis = argument.axis;
         let machine = &mut *context.machine;
         if !machine.flags.get(law::DRIVE_ENABLE.at(u32::from(axis))) {
-            machine.flags.set(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)), false);
+            machine.flags.set_law(law::KILL_ALL_MOTION_REQUEST, u32::from(axis), false);
             if let Some(slave) = machine.axes[usize::from(axis)].slave {
-                machine.flags.set(law::KILL_ALL_MOVES.at(u32::from(slave.master)), false);
+                machine.flags.set_law(law::KILL_ALL_MOVES, u32::from(slave.master), false);
             }
         }
         machine.set_drive(axis, true);
@@ -56,8 +56,7 @@ fn pulses_per_unit(context: &mut Context, call: &Call) -> Result<Outcome, Contro
                 let ratio = context.machine.axes[usize::from(argument.axis)].pulses_per_unit;
                 context.report(ratio);
             }
-            [ratio] if ratio > 0.0 => context.machine.set_pulses_per_unit(argument.axis, ratio)?,
-            [ratio] => return Err(ControllerError::BadValue { command, problem: format!("{ratio} is not above 0") }),
+            [ratio] => context.machine.set_pulses_per_unit(argument.axis, ratio)?,
             _ => return Err(ControllerError::Expected { command, expected: "one ratio an axis" }),
         }
     }

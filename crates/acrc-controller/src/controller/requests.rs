@@ -7,6 +7,7 @@ use acrc_vm::Code;
 use super::{Controller, Observer};
 use crate::error::ControllerError;
 use crate::machine::Request;
+use crate::orders::Order;
 use crate::program::{Program, State};
 
 impl Controller {
@@ -22,8 +23,8 @@ impl Controller {
         match request {
             Request::Run(number) => self.start(number),
             Request::Halt(number) => self.halt(number),
-            Request::Pause(number) => self.suspend(number, true),
-            Request::Resume(number) => self.suspend(number, false),
+            Request::Pause(number) => self.pause(number),
+            Request::Resume(number) => self.resume(number),
             Request::New(number) => {
                 self.halt(number);
                 self.programs[usize::from(number)] = Program::new();
@@ -55,6 +56,11 @@ impl Controller {
             return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.to_string());
         }
         let code = Code::load(unit, &self.image.aliases).map_err(|error| error.to_string())?;
+        // The place at which the old text stood means nothing in the new one.
+        if program.state != State::Idle {
+            program.stop(State::Idle);
+        }
+        program.frame.reset();
         program.code = Some(code);
         program.text_bytes = needed;
         program.set_space(available);
@@ -63,8 +69,13 @@ impl Controller {
 
     /// Starts a program that has text; as on the controller, one that has none simply does not run.
     fn start(&mut self, number: u8) {
-        if let Some(program) = self.programs.get_mut(usize::from(number)).filter(|program| program.code.is_some()) {
-            program.start();
+        let Some(program) = self.programs.get_mut(usize::from(number)).filter(|program| program.code.is_some()) else {
+            return;
+        };
+        let held = program.state == State::Paused;
+        program.start();
+        if held {
+            self.order(number, Order::CycleStart);
         }
     }
 
@@ -74,28 +85,43 @@ impl Controller {
         if program.state.is_active() || program.state == State::Paused {
             program.stop(State::Ended);
         }
-        if let Ok(master) = self.machine.master_of(number) {
-            self.machine.masters[usize::from(master)].profiler.stop();
-        }
+        self.order(number, Order::Halt);
     }
 
-    fn suspend(&mut self, number: u8, pause: bool) {
+    /// Holds a program and its motion. Motion that outlives its program is held, too; a program at rest is not.
+    fn pause(&mut self, number: u8) {
         let program = &mut self.programs[usize::from(number)];
-        program.state = match (program.state, pause) {
-            (State::Running | State::Waiting, true) => State::Paused,
-            (State::Paused, false) => State::Running,
-            _ => return,
-        };
-        if let Ok(master) = self.machine.master_of(number) {
-            let profiler = &mut self.machine.masters[usize::from(master)].profiler;
-            if pause { profiler.feedhold() } else { profiler.cycle_start() }
+        let active = program.state.is_active();
+        if active {
+            program.state = State::Paused;
+        }
+        let moves = self.machine.master_of(number).is_ok_and(|master| self.machine.moves(usize::from(master)));
+        if active || moves {
+            self.order(number, Order::Feedhold);
         }
     }
 
-    fn update_program_flags(&mut self) {
+    /// Lets a program and its motion go on; as cycle start, it also ends a feedhold that was requested by flag.
+    fn resume(&mut self, number: u8) {
+        let program = &mut self.programs[usize::from(number)];
+        if program.state == State::Paused {
+            program.state = State::Running;
+        }
+        self.order(number, Order::CycleStart);
+    }
+
+    /// An order to the master of a program, if it has one.
+    fn order(&mut self, number: u8, order: Order) {
+        if let Ok(master) = self.machine.master_of(number) {
+            self.machine.order(usize::from(master), order);
+        }
+    }
+
+    /// Shows the state of the programs in their flags.
+    pub(super) fn update_program_flags(&mut self) {
         for (number, program) in self.programs.iter().enumerate() {
-            self.machine.flags.set(law::PROGRAM_RUNNING.at(number as u32), program.state.is_active());
-            self.machine.flags.set(law::PROGRAM_PAUSE.at(number as u32), program.state == State::Paused);
+            self.machine.flags.set_law(law::PROGRAM_RUNNING, number as u32, program.state.is_active());
+            self.machine.flags.set_law(law::PROGRAM_PAUSE, number as u32, program.state == State::Paused);
         }
     }
 }

@@ -6,7 +6,7 @@ use acrc_diagnostics::{Code, Severity};
 
 use crate::rule::{Group, Rule, RuleDoc};
 
-const STORED: &str = "Memory Allocations / How Much Memory?";
+const STORED: &str = "System Configuration / Memory Allocations";
 
 const fn page(code: Code, [what, why]: [&'static str; 2], [bad, good]: [&'static str; 2], guide: &'static str) -> Rule {
     let severity = Severity::Error;
@@ -21,7 +21,7 @@ pub(crate) static NOT_COMPILED: Rule = page(
         "A program with a hole in it must not get to a machine.",
     ],
     ["PROG0\nPROGRAM\nP0 = (P1 + 2\nENDP", "PROG0\nPROGRAM\nP0 = (P1 + 2)\nENDP"],
-    "Basic Setup / Arguments and Syntax",
+    "Programming Basics / Command Syntax",
 );
 
 pub(crate) static UNDEFINED_LABEL: Rule = page(
@@ -99,7 +99,7 @@ pub(crate) static NO_PROGRAM: Rule = page(
         "Programs are stored at the prompt of a program; at the SYS prompt there is nothing to store them in.",
     ],
     ["PROGRAM\nSET 32\nENDP", "PROG0\nPROGRAM\nSET 32\nENDP"],
-    "Basic Setup / Programs and Commands",
+    "Programming Basics / Programs and Commands",
 );
 
 pub(crate) static ALIAS_OPERAND: Rule = page(
@@ -118,6 +118,6 @@ pub(crate) static AXIS_NAME: Rule = page(
         "A word stands for an axis and can't be the name of one. The linter reports its definition as ACR205.",
         "Axis names have one to four letters.",
     ],
-    ["PROG0\nATTACH SLAVE0 AXIS0 \"TABLE\"", "PROG0\nATTACH SLAVE0 AXIS0 \"TAB\""],
-    "Attachments / Master/Slave Attachments",
+    ["(a word of more than four letters where an axis is read)", "(the name that ATTACH SLAVE gives)"],
+    "System Configuration / Attachments",
 );

@@ -24,7 +24,7 @@ pub(crate) static SYNTAX_ERROR: Rule = page(
          machine then runs a program with a hole.",
     ],
     ["PROG0\nPROGRAM\nP0 = (P1 + 2\nENDP", "PROG0\nPROGRAM\nP0 = (P1 + 2)\nENDP"],
-    "Basic Setup / Arguments and Syntax",
+    "Programming Basics / Command Syntax",
 );
 
 pub(crate) static TYPOGRAPHIC_CHARACTER: Rule = page(
@@ -36,7 +36,7 @@ pub(crate) static TYPOGRAPHIC_CHARACTER: Rule = page(
         "The controller knows ASCII only: it refuses the line, or takes the character for something else.",
     ],
     ["PRINT \u{201c}ready\u{201d}", "PRINT \"ready\""],
-    "Programming Basics",
+    "Programming Basics / Command Syntax",
 );
 
 pub(crate) static REMARK_WITHOUT_COLON: Rule = page(
@@ -60,7 +60,7 @@ pub(crate) static ENCODING: Rule = page(
         "What other tools send to the controller for these bytes differs from tool to tool.",
     ],
     ["(a file saved as \"Unicode\" or \"ANSI\")", "(the same file saved as UTF-8 without a byte order mark)"],
-    "none: the guide says nothing of text encodings",
+    "says nothing of text encodings",
 );
 
 pub(crate) static UNTERMINATED_STRING: Rule = page(
@@ -71,7 +71,7 @@ pub(crate) static UNTERMINATED_STRING: Rule = page(
         "Everything up to the end of the line becomes part of the text, statements behind it included.",
     ],
     ["PRINT \"ready : SET 32", "PRINT \"ready\" : SET 32"],
-    "Basic Setup / Arguments and Syntax",
+    "Programming Basics / Command Syntax",
 );
 
 pub(crate) static DETACHED_LABEL: Rule = page(
@@ -94,7 +94,7 @@ pub(crate) static DIM_WITHOUT_PARENTHESES: Rule = page(
         "Every form in the guide has them. `DIM LV10` looks like the variable LV10 and is read here as ten variables.",
     ],
     ["DIM LV10", "DIM LV(10)"],
-    "Memory Allocations",
+    "System Configuration / Memory Allocations",
 );
 
 pub(crate) static REMARK_ON_LABEL_LINE: Rule = page(

@@ -1,6 +1,6 @@
 //! The name of a command: prefix, words and daughters (guide, "Basic Setup", command groups).
 
-use acrc_catalog::{Command as Row, CommandId, ObjectKind, Shape};
+use acrc_catalog::{Command as Row, CommandId, Explanation, ObjectKind, Shape};
 use acrc_diagnostics::Span;
 
 use super::{Failure, Read, Reader};
@@ -135,9 +135,30 @@ impl Reader<'_> {
 
     fn daughter_missing(&self, row: &Row, name: Span) -> Failure {
         const LISTED: usize = 12;
+        let failure = self.expected_after("a daughter", name);
+        if self.peek().kind == TokenKind::Equal {
+            return failure.help(super::statement::NO_ASSIGNMENT);
+        }
+        if let Some(near) = self.nearest_daughter(row) {
+            return failure.help(format!("did you mean `{near}`?"));
+        }
         let words: Vec<&str> = row.daughters.iter().map(|daughter| daughter.info().word).collect();
         let listed = words.get(..LISTED.min(words.len())).unwrap_or_default().join(", ");
         let more = if words.len() > LISTED { ", ..." } else { "" };
-        self.expected_after("a daughter", name).help(format!("`{}` is followed by one of {listed}{more}", row.name))
+        failure.help(format!("`{}` is followed by one of {listed}{more}", row.name))
+    }
+
+    /// The name of the daughter that the next word resembles.
+    fn nearest_daughter(&self, row: &Row) -> Option<&'static str> {
+        let token = self.peek();
+        let word = self.slice(token.span);
+        if token.kind != TokenKind::Word || !self.may_suggest(word) {
+            return None;
+        }
+        let Explanation::Near { suggestions, .. } = acrc_catalog::explain(&format!("{} {word}", row.name)) else {
+            return None;
+        };
+        let is_daughter = |name: &&str| row.daughters.iter().any(|daughter| daughter.info().name == *name);
+        suggestions.into_iter().find(is_daughter)
     }
 }

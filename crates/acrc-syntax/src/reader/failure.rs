@@ -38,12 +38,27 @@ impl Failure {
 impl Reader<'_> {
     /// The next token is not what must come after what has just been read.
     pub(super) fn expected(&self, what: &str) -> Failure {
-        self.expected_after(what, self.previous)
+        self.expected_after(what, self.last_read())
+    }
+
+    /// What was read last, in one piece where a number touches its word: `P0`, not `0`.
+    pub(super) fn last_read(&self) -> Span {
+        let before = self.position.checked_sub(2).and_then(|index| self.tokens.get(index));
+        match before {
+            Some(word)
+                if matches!(word.kind, TokenKind::Word | TokenKind::Dollar)
+                    && word.span.end == self.previous.start
+                    && self.slice(self.previous).bytes().all(|byte| byte.is_ascii_digit()) =>
+            {
+                Span::cover(word.span, self.previous)
+            }
+            _ => self.previous,
+        }
     }
 
     /// The next token is not what must come after the text at `after`.
     pub(super) fn expected_after(&self, what: &str, after: Span) -> Failure {
-        let token = self.peek();
+        let token = self.peek_name();
         let found = self.describe(token);
         let after = shown(self.slice(after));
         let message = if self.position == self.statement_start || after.is_empty() {
@@ -52,12 +67,23 @@ impl Reader<'_> {
             format!("expected {what} after `{after}`, found {found}")
         };
         let place = if token.kind.ends_line() { Span::empty(self.consumed_to()) } else { token.span };
-        Failure(Box::new(Diagnostic::error(codes::SYNTAX_ERROR, place, message)))
+        let diagnostic = Diagnostic::error(codes::SYNTAX_ERROR, place, message);
+        Failure(Box::new(diagnostic.with_label(format!("expected {what}"))))
     }
 
     /// The next token can't stand here, for the reason given.
     pub(super) fn refuse(&self, message: impl Into<String>) -> Failure {
         Failure(Box::new(Diagnostic::error(codes::SYNTAX_ERROR, self.peek().span, message)))
+    }
+
+    /// The next token, with the number that touches it if it is a word.
+    fn peek_name(&self) -> Token {
+        let token = self.peek();
+        let next = self.peek_at(1);
+        if token.kind == TokenKind::Word && next.kind == TokenKind::Integer && next.span.start == token.span.end {
+            return Token { kind: token.kind, span: Span::cover(token.span, next.span) };
+        }
+        token
     }
 
     /// A token as a message names it.

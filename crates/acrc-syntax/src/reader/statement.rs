@@ -12,6 +12,10 @@ use crate::lexer::{Token, TokenKind, rest_of_line};
 /// What must follow a statement whose arguments are complete.
 pub(super) const END: &str = "the end of the statement";
 
+/// What to say about an `=` behind a command.
+pub(super) const NO_ASSIGNMENT: &str =
+    "the value of a command follows it without `=`, and an alias can't have the name of a command";
+
 /// Letters that an axis name may have (guide, "ATTACH SLAVE").
 pub(super) const MAX_AXIS_NAME: u32 = 4;
 
@@ -47,9 +51,9 @@ impl Reader<'_> {
             return None;
         }
         let (wanted, after) = self.wanted;
-        let failure = self.expected_after(wanted, after.unwrap_or(self.previous));
+        let failure = self.expected_after(wanted, after.unwrap_or_else(|| self.last_read()));
         Some(match self.infix_operator(token) {
-            Some(Operator::Eq) => failure.help("the value of a command follows it without `=`"),
+            Some(Operator::Eq) => failure.help(NO_ASSIGNMENT),
             Some(_) if wanted == END => failure.help("a calculated argument stands in parentheses"),
             _ => failure,
         })
@@ -81,7 +85,7 @@ impl Reader<'_> {
     fn misplaced(&self, token: Token) -> Failure {
         let failure = self.refuse(format!("{} can't start a statement", self.describe(token)));
         if self.is_word(token, "THEN") {
-            return failure.help("only `IF` has a `THEN`, on its own line");
+            return failure.help("`THEN` stands on the line of its `IF`");
         }
         failure
     }
@@ -108,7 +112,7 @@ impl Reader<'_> {
     /// `JGO ABS X5`: the next word is a daughter of the command that this word resembles.
     fn is_mistyped_parent(&self, token: Token) -> bool {
         let next = self.peek_at(1);
-        if !self.word(next).is_some_and(|word| word.daughter) {
+        if !self.word(next).is_some_and(|word| word.daughter) || !self.may_suggest(self.slice(token.span)) {
             return false;
         }
         let parent = acrc_catalog::nearest_command(self.slice(token.span)).and_then(acrc_catalog::word);
@@ -116,13 +120,17 @@ impl Reader<'_> {
         parent.is_some_and(|parent| acrc_catalog::daughter(parent, self.slice(next.span)).is_some())
     }
 
+    /// Whether the search for a similar word is worth its time.
+    pub(super) fn may_suggest(&self, word: &str) -> bool {
+        word.len() <= LONGEST_TYPO && self.errors.len() < MAX_SUGGESTIONS
+    }
+
     fn unknown_command(&mut self, token: Token) -> Failure {
         let word = self.slice(token.span);
         let shown = super::failure::shown(word);
         let failure =
             Failure(Box::new(Diagnostic::error(codes::SYNTAX_ERROR, token.span, format!("unknown command `{shown}`"))));
-        let worth_it = word.len() <= LONGEST_TYPO && self.errors.len() < MAX_SUGGESTIONS;
-        let near = if worth_it { acrc_catalog::nearest_command(word) } else { None };
+        let near = if self.may_suggest(word) { acrc_catalog::nearest_command(word) } else { None };
         match near {
             Some(name) => failure.help(format!("did you mean `{name}`?")).fix(Fix::new(
                 Applicability::Unsafe,

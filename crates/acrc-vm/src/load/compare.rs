@@ -2,11 +2,12 @@
 //!
 //! A condition that is one relation becomes a jump that compares; any other is evaluated to a number, and every number but zero is true.
 
-use acrc_catalog::{OperandClass, Operator, UnaryOperator};
+use acrc_catalog::{OperandClass, UnaryOperator};
 use acrc_image::Node;
 
+use super::arithmetic::beside_single;
 use super::error::LoadErrorKind;
-use super::expression::Hint;
+use super::expression::{Hint, OperatorKind, kind_of};
 use super::place::{Kind, Place};
 use super::{Jump, Loader, Scratch};
 use crate::code::Real;
@@ -23,30 +24,16 @@ enum Operands {
     Text(Slot, Slot),
 }
 
-/// The relation of an operator.
-const fn relation(operator: Operator) -> Option<Relation> {
-    match operator {
-        Operator::Eq => Some(Relation::EQUAL),
-        Operator::Ne => Some(Relation::NOT_EQUAL),
-        Operator::Lt => Some(Relation::LESS),
-        Operator::Gt => Some(Relation::GREATER),
-        Operator::Le => Some(Relation::LESS_OR_EQUAL),
-        Operator::Ge => Some(Relation::GREATER_OR_EQUAL),
-        _ => None,
-    }
-}
-
 impl Loader<'_> {
     /// A relation as a value: -1 or 0.
     pub(super) fn compare(
         &mut self,
-        operator: Operator,
+        relation: Relation,
         left: &Place,
         right: &Place,
         mark: Scratch,
         hint: Hint,
     ) -> Result<Place, LoadErrorKind> {
-        let relation = relation(operator).unwrap_or(Relation::EQUAL);
         let Some((relation, operands)) = self.operands(relation, left, right)? else { return Ok(Place::LongConst(0)) };
         let operands = match operands {
             Operands::LongConst(left, value) => Operands::Long(left, self.long(&Place::LongConst(value))?),
@@ -91,7 +78,7 @@ impl Loader<'_> {
                     return Ok(None);
                 }
                 (Kind::Single, Kind::Real) | (Kind::Real, Kind::Single) => {
-                    let (left, right) = (self.beside_single(left), self.beside_single(right));
+                    let (left, right) = (beside_single(left), beside_single(right));
                     Operands::Double(self.double(&left)?, self.double(&right)?)
                 }
                 _ => Operands::Double(self.double(left)?, self.double(right)?),
@@ -114,7 +101,7 @@ impl Loader<'_> {
             return Ok(());
         }
         if let Node::Binary { op, left, right, .. } = self.resolve(condition)?
-            && let Some(relation) = relation(*op)
+            && let OperatorKind::Relation(relation) = kind_of(*op)
         {
             let (left, right) = (self.expression(left)?, self.expression(right)?);
             return self.jump_unless_related(relation, &left, &right, to);

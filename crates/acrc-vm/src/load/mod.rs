@@ -5,6 +5,7 @@
 //! raises the fault, because the controller finds such errors at run time too.
 
 mod arguments;
+mod arithmetic;
 mod blocks;
 mod call;
 mod compare;

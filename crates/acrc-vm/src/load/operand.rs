@@ -66,15 +66,15 @@ impl Loader<'_> {
     /// The operand that a node names, as arguments take it.
     pub(super) fn named(&mut self, node: &Node) -> Result<Option<Named>, LoadErrorKind> {
         match self.resolve(node)? {
-            &Node::Scalar { class, ref index, .. } => {
+            Node::Scalar { class, index, .. } => {
                 let index = self.expression(index)?;
-                Ok(Some(Named { class, index: self.index(&index)?, element: None }))
+                Ok(Some(Named { class: *class, index: self.index(&index)?, element: None }))
             }
-            &Node::Array { class, ref array, ref element, .. } => {
+            Node::Array { class, array, element, .. } => {
                 let array = self.expression(array)?;
                 let index = self.index(&array)?;
                 let element = self.expression(element)?;
-                Ok(Some(Named { class, index, element: Some(self.index(&element)?) }))
+                Ok(Some(Named { class: *class, index, element: Some(self.index(&element)?) }))
             }
             _ => Ok(None),
         }

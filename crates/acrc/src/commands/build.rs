@@ -2,7 +2,7 @@
 
 use anyhow::bail;
 
-use super::project::{compile, load};
+use super::project::{compile, load, title};
 use crate::cli::{BuildArguments, ColorChoice};
 use crate::exit::Exit;
 use crate::output::{Terminal, print, write_file};
@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &BuildArguments, color: ColorChoice) -> anyhow::Res
         for unit in &image.programs {
             writeln!(out, "{:<6} {:>7} bytes of program memory", unit.name.to_string(), unit.memory())?;
         }
-        writeln!(out, "{} for {}: {}", project.name, image.model, arguments.output.display())
+        writeln!(out, "{} for {}: {}", title(&project), image.model, arguments.output.display())
     })?;
     Ok(Exit::Clean)
 }

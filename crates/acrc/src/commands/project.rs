@@ -5,7 +5,6 @@ use std::path::Path;
 
 use acrc_analysis::Database;
 use acrc_analysis::project::{self, LoadedProject};
-use acrc_compile::CompileError;
 use acrc_diagnostics::{Diagnostic, FileReport, Severity, SourceFile, Summary, text};
 use acrc_image::Image;
 use anyhow::Context as _;
@@ -19,11 +18,31 @@ pub(crate) fn load(path: &Path) -> anyhow::Result<LoadedProject> {
     Ok(project::load(path)?)
 }
 
-/// What the linter finds in each file of a project, in their order.
+/// What a person calls a project: a lone file by its path, a folder by its name.
+pub(crate) fn title(project: &LoadedProject) -> &str {
+    match &project.files[..] {
+        [file] if project.config.project.name.is_none() => file.path.as_str(),
+        _ => &project.name,
+    }
+}
+
+/// What is wrong with each file of a project, in their order. The linter knows most; what only the compiler can tell, such as the limits of the
+/// stored form, is asked when the linter finds no error.
 pub(crate) fn check(project: &LoadedProject) -> Vec<Vec<Diagnostic>> {
     let db = Database::new();
     let input = project.add_to(&db);
-    acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect()
+    let mut found: Vec<Vec<Diagnostic>> =
+        acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect();
+    if !found.iter().flatten().any(|finding| finding.severity == Severity::Error)
+        && let Err(errors) = project.compile()
+    {
+        for error in &errors {
+            if let Some(list) = found.get_mut(error.file) {
+                list.push(error.into());
+            }
+        }
+    }
+    found
 }
 
 /// The findings of each file, ready to be shown.
@@ -34,31 +53,16 @@ pub(crate) fn reports<'a>(project: &'a LoadedProject, found: &'a [Vec<Diagnostic
 
 /// Compiles a project. What is wrong with it goes to standard error; `None` then.
 pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Option<Image>> {
-    let errors = match project.compile() {
-        Ok(image) => return Ok(Some(image)),
-        Err(errors) => errors,
-    };
-    // The linter says the same with more knowledge of the whole project; what only the compiler knows is left to it.
+    if let Ok(image) = project.compile() {
+        return Ok(Some(image));
+    }
     let mut found = check(project);
     for list in &mut found {
         list.retain(|finding| finding.severity == Severity::Error);
     }
-    if found.iter().all(Vec::is_empty) {
-        found = by_file(project, &errors);
-    }
     let reports = reports(project, &found);
     let mut stderr = std::io::stderr().lock();
     text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, &mut stderr)?;
-    writeln!(stderr, "{} does not compile: {}", project.name, Summary::of(&reports))?;
+    writeln!(stderr, "{} does not compile: {}", title(project), Summary::of(&reports))?;
     Ok(None)
-}
-
-fn by_file(project: &LoadedProject, errors: &[CompileError]) -> Vec<Vec<Diagnostic>> {
-    let mut found = vec![Vec::new(); project.files.len()];
-    for error in errors {
-        if let Some(list) = found.get_mut(error.file) {
-            list.push(error.into());
-        }
-    }
-    found
 }

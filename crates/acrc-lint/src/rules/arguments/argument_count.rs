@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Rule {
               prints an answer instead of acting.",
         bad: "PROG0\nPROGRAM\nDWL\nENDP",
         good: "PROG0\nPROGRAM\nDWL 0.5\nENDP",
-        guide: "Basic Setup / Arguments and Syntax",
+        guide: "Programming Basics / Command Syntax",
     },
     checks: &[Check::Statement(check_statement), Check::Expression(check_call)],
 };

@@ -19,7 +19,7 @@ pub(crate) static RULE: Rule = Rule {
         why: "The controller refuses the statement when it gets there.",
         bad: "PROG0\nPROGRAM\nDIM $V(1,10)\n$V0 = 5\nENDP",
         good: "PROG0\nPROGRAM\nDIM $V(1,10)\n$V0 = STR$(5)\nENDP",
-        guide: "Basic Setup / Arguments and Syntax",
+        guide: "Programming Basics / Command Syntax",
     },
     checks: &[Check::Statement(check_statement), Check::Expression(check_expression)],
 };
@@ -156,7 +156,7 @@ mod tests {
         assert_eq!(codes("P0 = \"1\"\n$V0 = $V1 + \"a\"\nP0 = VAL($V0)\nP0 = $V0\n"), [(1, "ACR202"), (4, "ACR202")]);
         assert_eq!(codes("IF ($V0 = \"a\") THEN SET 32\nIF ($V0 = 1) THEN SET 32\n"), [(2, "ACR202")]);
         assert_eq!(codes("P0 = LEN(5)\nP0 = SQRT(\"a\")\n"), [(1, "ACR202"), (2, "ACR202")]);
-        assert_eq!(codes("DWL \"a\"\nX\"a\"\n"), [(1, "ACR202"), (2, "ACR202")]);
+        assert_eq!(codes("DWL \"a\"\nDTALK X : VEL \"a\"\n"), [(1, "ACR202"), (2, "ACR202")]);
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub(crate) static RULE: Rule = Rule {
         why: "The controller refuses the value and keeps the old one: a limit that was to be switched on stays off.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X4",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3",
-        guide: "Basic Setup / Arguments and Syntax",
+        guide: "Programming Basics / Command Syntax",
     },
     checks: &[Check::Statement(check)],
 };
@@ -71,7 +71,7 @@ fn judge(context: &mut Context<'_>, row: &'static Row, at: usize, value: &Expr) 
     if range.holds(number) {
         return;
     }
-    let message = format!("the {} of {} can't be {number}: it takes {}", argument.name, row.name, argument.range);
+    let message = format!("the {} of {} can't be {number}: it takes {range}", argument.name, row.name);
     let diagnostic = RULE.at(value.span, message);
     let severity = if range.is_closed() { Severity::Error } else { Severity::Warning };
     context.report(Diagnostic { severity, ..diagnostic });
@@ -85,7 +85,8 @@ mod tests {
 
     #[test]
     fn closed_ranges_are_errors_and_open_ones_warnings() {
-        let severities = |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.severity).collect::<Vec<_>>();
+        let severities =
+            |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.severity).collect::<Vec<_>>();
         assert_eq!(severities("JOG HOME X1 Y-1\n"), []);
         assert_eq!(severities("JOG HOME X2\n"), [Severity::Error]);
         assert_eq!(severities("DWL -1\n"), [Severity::Warning]);

@@ -36,7 +36,7 @@ pub(super) fn takes_axes(shape: Shape) -> bool {
 pub(super) fn groups(command: &Command) -> Vec<Group<'_>> {
     let mut row = command.id.info();
     let mut groups = Vec::with_capacity(command.arguments.len());
-    for argument in &command.arguments {
+    for (at, argument) in command.arguments.iter().enumerate() {
         match argument {
             Argument::Axis(axis) => {
                 let values = axis.value.as_deref().map_or(Values::Missing, values);
@@ -47,7 +47,7 @@ pub(super) fn groups(command: &Command) -> Vec<Group<'_>> {
                 groups.push(Group { row, span: object.span, axis: Some(object.name), values });
             }
             // The parameter of `IHPOS P6160 (40000, 5)` is no value of the tuple behind it.
-            Argument::Value(_) if row.shape == Shape::ParameterTuple => {}
+            Argument::Value(_) if row.shape == Shape::ParameterTuple && at == 0 => {}
             Argument::Value(expr) => {
                 groups.push(Group { row, span: expr.span, axis: None, values: values(argument) });
             }

@@ -1,4 +1,4 @@
-//! Arguments of commands and functions, by their rows in the catalogue (guide, "Arguments and Syntax").
+//! Arguments of commands and functions, by their rows in the catalogue (guide, "Command Syntax").
 
 pub(crate) mod argument_count;
 pub(crate) mod argument_kind;

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               with a decimal point it is a floating-point number and says what is meant.",
         bad: "P0 = 5000000000",
         good: "P0 = 5000000000.0",
-        guide: "Memory Allocations / How Much Memory?",
+        guide: "System Configuration / Memory Allocations",
     },
     checks: &[Check::Expression(check)],
 };
@@ -47,6 +47,9 @@ mod tests {
     #[test]
     fn thirty_two_bits() {
         assert_eq!(codes("P0 = 4294967295\nP0 = -2147483648\n"), []);
-        assert_eq!(codes("P0 = 4294967296\nP0 = -2147483649\nP0 = -99999999999\n"), [(1, "ACR213"), (2, "ACR213"), (3, "ACR213")]);
+        assert_eq!(
+            codes("P0 = 4294967296\nP0 = -2147483649\nP0 = -99999999999\n"),
+            [(1, "ACR213"), (2, "ACR213"), (3, "ACR213")]
+        );
     }
 }

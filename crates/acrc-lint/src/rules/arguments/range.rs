@@ -1,5 +1,6 @@
 //! The ranges of the catalogue that are exact enough to check a number against.
 
+use std::fmt;
 use std::sync::LazyLock;
 
 use acrc_catalog::{Command as Row, Confidence};
@@ -13,13 +14,13 @@ pub(super) enum Range {
     AtLeast(f64),
     /// `>0`
     Above(f64),
-    /// `1|-1`, `0 none|1 positive|2 negative|3 both`
-    OneOf(Vec<f64>),
+    /// `1|-1`, `0 none|1 positive|2 negative|3 both`, with the words that explain them.
+    OneOf(Vec<(f64, &'static str)>),
 }
 
 impl Range {
     /// Reads the range column. `None` for everything that is not exact: words, doubts, exceptions.
-    pub(super) fn parse(text: &str) -> Option<Self> {
+    pub(super) fn parse(text: &'static str) -> Option<Self> {
         if let Some(limit) = text.strip_prefix(">=") {
             return limit.trim().parse().ok().map(Self::AtLeast);
         }
@@ -34,7 +35,7 @@ impl Range {
                 Some(Self::Between(low, high.parse().ok()?))
             };
         }
-        let choices: Vec<f64> = text.split('|').map(choice).collect::<Option<_>>()?;
+        let choices: Vec<_> = text.split('|').map(choice).collect::<Option<_>>()?;
         (choices.len() > 1).then_some(Self::OneOf(choices))
     }
 
@@ -44,7 +45,7 @@ impl Range {
             Self::Between(low, high) => (*low..=*high).contains(&value),
             Self::AtLeast(low) => value >= *low,
             Self::Above(low) => value > *low,
-            Self::OneOf(choices) => choices.contains(&value),
+            Self::OneOf(choices) => choices.iter().any(|(choice, _)| *choice == value),
         }
     }
 
@@ -54,9 +55,31 @@ impl Range {
     }
 }
 
-/// The number in front of the words that explain a choice: `1 positive`, `0 = 12 bit`.
-fn choice(text: &str) -> Option<f64> {
-    text.trim().split(' ').next()?.parse().ok()
+/// A choice with the words that explain it: `1 positive`, `0 = 12 bit`.
+fn choice(text: &'static str) -> Option<(f64, &'static str)> {
+    let text = text.trim();
+    let (number, words) = text.split_once(' ').unwrap_or((text, ""));
+    Some((number.parse().ok()?, words.trim_start_matches("= ")))
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Between(low, high) => write!(f, "{low} to {high}"),
+            Self::AtLeast(low) => write!(f, "{low} and more"),
+            Self::Above(low) => write!(f, "more than {low}"),
+            Self::OneOf(choices) => {
+                for (at, (number, words)) in choices.iter().enumerate() {
+                    let comma = if at > 0 { ", " } else { "" };
+                    write!(f, "{comma}{number}")?;
+                    if !words.is_empty() {
+                        write!(f, " ({words})")?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
 }
 
 /// The exact ranges by operation code, then by argument. Rows of less than high confidence have none.
@@ -92,8 +115,10 @@ mod tests {
         assert_eq!(Range::parse("0.."), Some(Range::AtLeast(0.0)));
         assert_eq!(Range::parse(">=0"), Some(Range::AtLeast(0.0)));
         assert_eq!(Range::parse(">0"), Some(Range::Above(0.0)));
-        assert_eq!(Range::parse("1|-1"), Some(Range::OneOf(vec![1.0, -1.0])));
-        assert_eq!(Range::parse("0 none|1 positive|3 both"), Some(Range::OneOf(vec![0.0, 1.0, 3.0])));
+        assert_eq!(Range::parse("1|-1"), Some(Range::OneOf(vec![(1.0, ""), (-1.0, "")])));
+        let read = Range::parse("0 none|1 = positive");
+        assert_eq!(read, Some(Range::OneOf(vec![(0.0, "none"), (1.0, "positive")])));
+        assert_eq!(read.map(|range| range.to_string()), Some("0 (none), 1 (positive)".to_owned()));
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         why: "BREAK leaves the innermost loop. With none around it there is nothing to leave.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24)\nBREAK\nENDIF\nENDP",
         good: "PROG0\nPROGRAM\nWHILE (P0 < 10)\nP0 = P0 + 1\nIF (BIT 24)\nBREAK\nENDIF\nWEND\nENDP",
-        guide: "Program Flow / Repetition",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Statement(check)],
 };

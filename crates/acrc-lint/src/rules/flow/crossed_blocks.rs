@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Rule {
               behind ELSE is never taken.",
         bad: "PROG0\nPROGRAM\nWHILE (P0 < 10)\nIF (BIT 24)\nSET 32\nWEND\nENDIF\nENDP",
         good: "PROG0\nPROGRAM\nWHILE (P0 < 10)\nIF (BIT 24)\nSET 32\nENDIF\nWEND\nENDP",
-        guide: "Program Flow / Selection and Repetition",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };
@@ -36,7 +36,8 @@ fn finding(context: &Context<'_>, error: BlockError) -> Option<Diagnostic> {
     match error.kind {
         BlockErrorKind::Crossed { closes, open, open_kind } => {
             let (closer, inner) = (closes.closer(), open_kind.opener());
-            let diagnostic = RULE.at(span, format!("{closer} comes while {inner} inside the block is open"));
+            let diagnostic = RULE
+                .at(span, format!("{closer} comes before the {} of the {inner} inside the block", open_kind.closer()));
             let related = diagnostic.with_related(context.statement_span(open), format!("this {inner} is still open"));
             Some(related.with_help(format!("put {} before this {closer}", open_kind.closer())))
         }

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               starts during the download, and there is nothing to run afterwards.",
         bad: "PROG0\nSET 32\nDWL 1\nCLR 32\nENDP",
         good: "PROG0\nPROGRAM\nSET 32\nDWL 1\nCLR 32\nENDP",
-        guide: "Program Flow",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Statement(check)],
 };

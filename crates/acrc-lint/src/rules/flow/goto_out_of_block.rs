@@ -17,14 +17,14 @@ pub(crate) static RULE: Rule = Rule {
               another block open. Leave a WHILE with BREAK, and put the jump behind the block.",
         bad: "PROG0\nPROGRAM\n_Again\nWHILE (NOT BIT 24)\nIF (BIT 25) THEN GOTO Again\nWEND\nENDP",
         good: "PROG0\nPROGRAM\n_Again\nWHILE (NOT BIT 24)\nIF (BIT 25) THEN BREAK\nWEND\nIF (BIT 25) THEN GOTO Again\nENDP",
-        guide: "Program Flow / IF/ELSE and WHILE/WEND",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };
 
 fn check(context: &mut Context<'_>, section: &SectionIndex) {
     for jump in section.jumps.iter().filter(|jump| !jump.call) {
-        let Some(target) = section.resolve(context.text(), jump.target) else { continue };
+        let Some(target) = jump.to else { continue };
         if let Some(block) = left_block(section, jump.statement, target) {
             let word = block.kind.opener();
             let name = context.slice(jump.target.span());

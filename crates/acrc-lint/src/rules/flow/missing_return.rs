@@ -18,26 +18,22 @@ pub(crate) static RULE: Rule = Rule {
         why: "The program ends inside of the subroutine: what stands behind the GOSUB is never done.",
         bad: "PROG0\nPROGRAM\nGOSUB Open\nDWL 1\nEND\n_Open\nSET 32\nENDP",
         good: "PROG0\nPROGRAM\nGOSUB Open\nDWL 1\nEND\n_Open\nSET 32\nRETURN\nENDP",
-        guide: "Program Flow / GOSUB",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };
 
 fn check(context: &mut Context<'_>, section: &SectionIndex) {
     let Some(end) = end_of_text(context, section) else { return };
-    let mut called: Vec<(u32, Span)> = section
-        .jumps
-        .iter()
-        .filter(|jump| jump.call)
-        .filter_map(|jump| Some((section.resolve(context.text(), jump.target)?, jump.target.span())))
-        .collect();
+    let mut called: Vec<(u32, Span)> =
+        section.jumps.iter().filter(|jump| jump.call).filter_map(|jump| Some((jump.to?, jump.target.span()))).collect();
     called.sort_unstable();
     called.dedup_by_key(|(statement, _)| *statement);
     if called.is_empty() || !section.blocks.errors().is_empty() {
         return;
     }
 
-    let flow = Flow::new(context.tree(), context.text(), section);
+    let flow = Flow::new(context.tree(), section);
     called.retain(|(entry, _)| flow.runs_off_the_end(*entry));
     let Some((_, first)) = called.first() else { return };
     let names: Vec<_> = called.iter().map(|(_, name)| format!("`{}`", context.slice(*name))).collect();

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               the next program included.",
         bad: "PROG0\nPROGRAM\nSET 32\nEND",
         good: "PROG0\nPROGRAM\nSET 32\nEND\nENDP",
-        guide: "Program Flow",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };

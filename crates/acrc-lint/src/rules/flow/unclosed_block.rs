@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               the program runs, and does not find it.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24)\nSET 32\nDWL 1\nENDP",
         good: "PROG0\nPROGRAM\nIF (BIT 24)\nSET 32\nENDIF\nDWL 1\nENDP",
-        guide: "Program Flow / Selection and Repetition",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };
@@ -39,7 +39,10 @@ mod tests {
 
     #[test]
     fn each_kind_of_block_must_be_closed() {
-        assert_eq!(codes("WHILE (BIT 1)\nFOR LV0 = 0 TO 3\nIF (BIT 2)\n"), [(1, "ACR110"), (2, "ACR110"), (3, "ACR110")]);
+        assert_eq!(
+            codes("WHILE (BIT 1)\nFOR LV0 = 0 TO 3\nIF (BIT 2)\n"),
+            [(1, "ACR110"), (2, "ACR110"), (3, "ACR110")]
+        );
     }
 
     #[test]

@@ -25,17 +25,16 @@ pub(crate) static RULE: Rule = Rule {
 
 fn check(context: &mut Context<'_>, section: &SectionIndex) {
     for jump in &section.jumps {
-        if !is_defined(context, section, jump.target) {
+        if jump.to.is_none() && !is_defined_elsewhere(context, section, jump.target) {
             context.report(finding(context, section, jump.target));
         }
     }
 }
 
 /// What is typed at a prompt may jump into any part of the program of that level.
-fn is_defined(context: &Context<'_>, section: &SectionIndex, target: Target) -> bool {
-    section.resolve(context.text(), target).is_some()
-        || (section.section.kind == SectionKind::Immediate
-            && same_level(context, section).any(|other| other.resolve(context.text(), target).is_some()))
+fn is_defined_elsewhere(context: &Context<'_>, section: &SectionIndex, target: Target) -> bool {
+    section.section.kind == SectionKind::Immediate
+        && same_level(context, section).any(|other| other.resolve(context.text(), target).is_some())
 }
 
 fn same_level<'a>(context: &Context<'a>, section: &SectionIndex) -> impl Iterator<Item = &'a SectionIndex> + use<'a> {

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         why: "The statements that were meant to depend on a condition are carried out always.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24) THEN SET 32\nENDIF\nENDP",
         good: "PROG0\nPROGRAM\nIF (BIT 24) THEN SET 32\nENDP",
-        guide: "Program Flow / Selection and Repetition",
+        guide: "Programming Basics / Program Flow",
     },
     checks: &[Check::Section(check)],
 };

@@ -2,7 +2,6 @@
 
 use acrc_analysis::SectionIndex;
 use acrc_diagnostics::{Code, Severity};
-use acrc_syntax::ast::Target;
 
 use crate::rule::{Check, Group, Rule, RuleDoc};
 use crate::{Context, level_name};
@@ -22,23 +21,33 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, section: &SectionIndex) {
-    let level = section.section.level;
-    let mut targets: Vec<&str> = context
-        .index()
-        .sections
-        .iter()
-        .filter(|other| other.section.level == level)
-        .flat_map(|other| &other.jumps)
-        .map(|jump| match jump.target {
-            Target::Label(span) | Target::Line(_, span) => context.slice(span),
-        })
-        .collect();
-    targets.sort_unstable();
+    let mut reached: Vec<u32> = section.jumps.iter().filter_map(|jump| jump.to).collect();
+    reached.sort_unstable();
     for label in &section.labels {
         let name = context.slice(label.name);
-        if targets.binary_search(&name).is_err() {
-            let program = level_name(level);
+        if reached.binary_search(&label.statement).is_err() && !is_used_elsewhere(context, section, name) {
+            let program = level_name(section.section.level);
             context.report(RULE.at(label.name, format!("nothing in {program} jumps to the label `{name}`")));
         }
+    }
+}
+
+/// What is typed at a prompt may jump into any part of the program of that level.
+fn is_used_elsewhere(context: &Context<'_>, section: &SectionIndex, name: &str) -> bool {
+    let level = section.section.level;
+    let others = context.index().sections.iter().filter(|other| other.section.level == level);
+    others.flat_map(|other| &other.jumps).any(|jump| jump.to.is_none() && context.slice(jump.target.span()) == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::lint;
+
+    #[test]
+    fn a_label_is_used_from_its_own_program() {
+        let unused = |text: &str| lint(&[("test.8K", text)]).concat().iter().filter(|d| d.code.id == "ACR103").count();
+        assert_eq!(unused("PROG0\nPROGRAM\n_A\nGOTO A\nENDP\nPROG1\nPROGRAM\n_A\nENDP\n"), 1);
+        assert_eq!(unused("PROG0\nPROGRAM\n_A\nENDP\nGOTO A\n"), 0);
+        assert_eq!(unused("_100\nGOTO 100\n"), 0);
     }
 }

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               words of the language read as those words, so that moves of the axis do something else.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"F\"",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"FEED\"",
-        guide: "Attachments / Master/Slave Attachments",
+        guide: "System Configuration / Attachments",
     },
     checks: &[Check::Statement(check)],
 };

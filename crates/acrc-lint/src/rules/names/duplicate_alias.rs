@@ -58,7 +58,10 @@ mod tests {
     fn the_same_operand_again_is_only_superfluous() {
         let found = lint(&[("a.8K", "#DEFINE Clamp BIT32\n"), ("b.8K", "#DEFINE Clamp bit 32\n")]);
         assert_eq!(found[0], []);
-        assert_eq!(found[1].iter().map(|d| (d.code.id, d.severity)).collect::<Vec<_>>(), [("ACR211", Severity::Advice)]);
+        assert_eq!(
+            found[1].iter().map(|d| (d.code.id, d.severity)).collect::<Vec<_>>(),
+            [("ACR211", Severity::Advice)]
+        );
     }
 
     #[test]

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
               axis keeps moving with the first program.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS0 \"Y\"",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"",
-        guide: "Attachments / Master/Slave Attachments",
+        guide: "System Configuration / Attachments",
     },
     checks: &[Check::File(check)],
 };
@@ -68,7 +68,8 @@ mod tests {
 
     #[test]
     fn what_may_not_happen_proves_nothing() {
-        let program = "PROG0\nPROGRAM\nIF (BIT 1)\nATTACH SLAVE0 AXIS0 \"X\"\nELSE\nATTACH SLAVE0 AXIS1 \"X\"\nENDIF\nENDP\n";
+        let program =
+            "PROG0\nPROGRAM\nIF (BIT 1)\nATTACH SLAVE0 AXIS0 \"X\"\nELSE\nATTACH SLAVE0 AXIS1 \"X\"\nENDIF\nENDP\n";
         assert_eq!(codes(program), []);
     }
 

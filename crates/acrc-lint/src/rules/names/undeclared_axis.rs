@@ -21,7 +21,7 @@ pub(crate) static RULE: Rule = Rule {
               program gets there, in the middle of the cycle.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nX10 Y20\nENDP",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nPROGRAM\nX10 Y20\nENDP",
-        guide: "Attachments / Master/Slave Attachments",
+        guide: "System Configuration / Attachments",
     },
     checks: &[Check::Statement(check)],
 };
@@ -131,7 +131,8 @@ mod tests {
 
     #[test]
     fn a_misspelt_command_is_told_apart() {
-        let messages = |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.message.clone()).collect::<Vec<_>>();
+        let messages =
+            |text: &str| lint(&[("test.8K", text)]).concat().iter().map(|d| d.message.clone()).collect::<Vec<_>>();
         let unknown = "unknown command or axis `VLE`: did you mean `VEL`?";
         assert_eq!(messages(&format!("{X}VLE 5\n")), [unknown]);
         assert_eq!(messages("VLE 5\n"), [unknown]);

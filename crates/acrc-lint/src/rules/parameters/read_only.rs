@@ -19,7 +19,7 @@ pub(crate) static RULE: Rule = Rule {
               behind it goes on as if it had one.",
         bad: "PROG0\nPROGRAM\nCLR 792\nENDP",
         good: "PROG0\nPROGRAM\nINH -792\nENDP",
-        guide: "Parameters and Bits",
+        guide: "Programming Basics / Parameters and Bits",
     },
     checks: &[Check::Statement(check)],
 };
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn every_way_of_writing() {
-        assert_eq!(codes("P12290 = 5\nBIT 792 = 1\nSET BIT792\n"), [(1, "ACR302"), (2, "ACR302"), (3, "ACR302")]);
+        assert_eq!(codes("P12291 = 5\nBIT 792 = 1\nSET BIT792\n"), [(1, "ACR302"), (2, "ACR302"), (3, "ACR302")]);
         assert_eq!(codes("P12288 = 0\nSET 8467\nCLR 522\nP0 = P12290\n"), []);
     }
 

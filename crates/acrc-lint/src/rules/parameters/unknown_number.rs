@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Rule {
               a safety check of it never trips.",
         bad: "PROG0\nPROGRAM\nINH 161340\nENDP",
         good: "PROG0\nPROGRAM\nINH 16134\nENDP",
-        guide: "Parameters and Bits",
+        guide: "Programming Basics / Parameters and Bits",
     },
     checks: &[Check::Statement(check)],
 };

@@ -10,7 +10,7 @@ use acrc_catalog::{FunctionId, OperandClass, Operator, UnaryOperator};
 use acrc_diagnostics::Span;
 use ranks::{Item, Store};
 
-use super::{Read, Reader};
+use super::{Failure, Read, Reader};
 use crate::ast::{Expr, ExprKind, Operand};
 use crate::lexer::{Token, TokenKind};
 pub(super) use words::may_be_name;
@@ -88,7 +88,7 @@ impl Work {
     fn reduce(&mut self, items: usize, operands: usize) -> Result<Expr, ranks::Missing> {
         let row = self.items.get(items..).unwrap_or_default();
         let index = ranks::arrange(row, &mut self.store)?;
-        let expr = self.store.take(index).ok_or(ranks::Missing("a value"))?;
+        let expr = self.store.take(index).ok_or(ranks::Missing::VALUE)?;
         self.items.truncate(items);
         self.store.truncate(operands);
         Ok(expr)
@@ -142,12 +142,20 @@ impl Reader<'_> {
             }
         }
         let Some(frame) = work.frames.last() else {
-            return work.reduce(0, 0).map_err(|missing| self.expected(missing.0));
+            return work.reduce(0, 0).map_err(|missing| self.missing(missing));
         };
         let (items, operands, open) = (frame.items, frame.operands, frame.open);
         match work.reduce(items, operands) {
-            Err(missing) => Err(self.expected(missing.0)),
+            Err(missing) => Err(self.missing(missing)),
             Ok(_) => Err(self.expected("an operator or `)`").related(open, "opened here")),
+        }
+    }
+
+    fn missing(&self, missing: ranks::Missing) -> Failure {
+        let failure = self.expected(missing.0);
+        match self.word(self.peek()) {
+            Some(_) if missing == ranks::Missing::VALUE => failure.help("a word of the language is no name of a value"),
+            _ => failure,
         }
     }
 
@@ -228,7 +236,7 @@ impl Reader<'_> {
     /// A closing parenthesis completes what its opening one belongs to.
     fn close(&mut self, work: &mut Work) -> Read<bool> {
         let Some(frame) = work.frames.last() else { return Ok(false) };
-        let inner = work.reduce(frame.items, frame.operands).map_err(|missing| self.expected(missing.0))?;
+        let inner = work.reduce(frame.items, frame.operands).map_err(|missing| self.missing(missing))?;
         let Some(frame) = work.frames.pop() else { return Ok(false) };
         let close = self.bump();
         let span = Span::new(frame.start, close.span.end);
@@ -267,7 +275,7 @@ impl Reader<'_> {
         let Some(Frame { context: Context::Call(..), items, operands, .. }) = work.frames.last() else {
             return Ok(false);
         };
-        let argument = work.reduce(*items, *operands).map_err(|missing| self.expected(missing.0))?;
+        let argument = work.reduce(*items, *operands).map_err(|missing| self.missing(missing))?;
         if let Some(Frame { context: Context::Call(_, arguments), .. }) = work.frames.last_mut() {
             arguments.push(argument);
         }

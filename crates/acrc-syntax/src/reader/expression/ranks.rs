@@ -73,6 +73,10 @@ impl Store {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Missing(pub(super) &'static str);
 
+impl Missing {
+    pub(super) const VALUE: Self = Self(VALUE);
+}
+
 /// Builds the tree of a row; its place in the store is the result.
 ///
 /// # Errors
@@ -105,7 +109,7 @@ fn arrange_by_rank(row: &[Item], store: &mut Store) -> Result<u32, Missing> {
         grammar.parse_with_state(Stream::from_iter(row.to_vec()), &mut state).into_result()
     });
     *store = state.0;
-    result.map_err(|missing| missing.first().copied().unwrap_or(Missing(VALUE)))
+    result.map_err(|missing| missing.first().copied().unwrap_or(Missing::VALUE))
 }
 
 const VALUE: &str = "a value";

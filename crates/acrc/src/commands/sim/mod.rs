@@ -19,7 +19,7 @@ use anyhow::{Context as _, bail};
 
 use self::observer::RunObserver;
 use self::recorder::Recorder;
-use super::project::{compile, load};
+use super::project::{compile, load, title};
 use crate::cli::{ColorChoice, Register, SimArguments, SimFormat};
 use crate::exit::Exit;
 use crate::output::Terminal;
@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let project = load(&arguments.project)?;
     let world = load_world(arguments, &project)?;
     let Some(image) = compile(&project, Terminal::error(color))? else {
-        bail!("{} cannot be run before that is mended", project.name);
+        bail!("{} cannot be run before that is mended", title(&project));
     };
     let image = Arc::new(image);
     let start = programs_to_start(arguments, &project, &image)?;
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let record = observer.finish()?;
 
     let exit = exit_of(stopped, &controller);
-    let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(&project.name)? };
+    let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(title(&project))? };
     let report = summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read };
     match arguments.format {
         SimFormat::Text => summary::print(&report, wall, until, &files, Terminal::output(color))?,
