@@ -1,5 +1,6 @@
 //! Walks over the parts of a statement that several layers look at: expressions and axis names.
 
+use acrc_catalog::UnaryOperator;
 use acrc_syntax::ast::{Argument, Axis, Dim, Expr, ExprKind, Input, Print, Statement, StatementKind};
 
 /// Calls `visit` for every expression of `statement`, the outer before the inner ones.
@@ -91,9 +92,8 @@ pub fn literal(expr: &Expr) -> Option<f64> {
     match &expr.kind {
         ExprKind::Integer(value) => Some(*value as f64),
         ExprKind::Real(value) => Some(*value),
-        ExprKind::Paren(inner) => literal(inner),
-        ExprKind::Unary(acrc_catalog::UnaryOperator::Minus, inner) => literal(inner).map(|value| -value),
-        ExprKind::Unary(acrc_catalog::UnaryOperator::Plus, inner) => literal(inner),
+        ExprKind::Paren(inner) | ExprKind::Unary(UnaryOperator::Plus, inner) => literal(inner),
+        ExprKind::Unary(UnaryOperator::Minus, inner) => literal(inner).map(|value| -value),
         _ => None,
     }
 }

@@ -69,6 +69,14 @@ pub enum ControllerError {
     /// A motion statement in a program that has no master.
     #[error("program {0} has no master: ATTACH MASTER comes first")]
     NoMaster(u8),
+    /// `DETACH` of a master that the program does not have.
+    #[error("program {program} is not attached to MASTER{master}")]
+    NotAttached {
+        /// The program.
+        program: u8,
+        /// The master.
+        master: u16,
+    },
     /// An axis name that the program has not attached.
     #[error("program {program} has no axis named {name}")]
     UnknownAxis {

@@ -273,7 +273,9 @@ impl Machine {
             return Err(ControllerError::InMotion);
         }
         if !units.is_finite() {
-            return Err(ControllerError::Move(format!("AXIS{axis} cannot be at a position beyond the range of numbers")));
+            return Err(ControllerError::Move(format!(
+                "AXIS{axis} cannot be at a position beyond the range of numbers"
+            )));
         }
         let state = &mut self.axes[usize::from(axis)];
         match state.slave {

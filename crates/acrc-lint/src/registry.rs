@@ -43,6 +43,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &names::undeclared_axis::RULE,
     &names::axis_name::RULE,
     &names::duplicate_attachment::RULE,
+    &arguments::missing_parentheses::RULE,
     &names::undefined_alias::RULE,
     &names::duplicate_alias::RULE,
     &names::alias_name::RULE,

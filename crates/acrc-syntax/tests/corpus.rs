@@ -21,10 +21,8 @@ const KNOWN: [(&str, u32, &str); 6] = [
 ];
 
 fn corpus() -> Option<PathBuf> {
-    let root = std::env::var_os("ACRC_CORPUS").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/corpus"),
-        PathBuf::from,
-    );
+    let root = std::env::var_os("ACRC_CORPUS")
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/corpus"), PathBuf::from);
     if root.is_dir() {
         return Some(root);
     }
@@ -65,9 +63,8 @@ fn programs_of_the_guide_have_only_their_known_slips() {
         let is_raw = name.contains(".raw.");
         for error in tree.errors() {
             let line = lines.position(error.span.start).line;
-            let known = KNOWN.iter().find(|(file, at, code)| {
-                name.starts_with(file) && *at == line && *code == error.code.id
-            });
+            let known =
+                KNOWN.iter().find(|(file, at, code)| name.starts_with(file) && *at == line && *code == error.code.id);
             match known {
                 Some(known) => found.push(*known),
                 None if is_raw && error.code == codes::TYPOGRAPHIC_CHARACTER => {}

@@ -54,6 +54,8 @@ const OWN: &[(CommandId, Own)] = &[
     (command::PROGRAM, Own::Marker),
     (command::PBOOT, Own::Marker),
     (command::REM, Own::Passive),
+    // The alias table of the image has what it says.
+    (command::DEFINE, Own::Passive),
     (command::APOSTROPHE, Own::Passive),
     (command::LABEL, Own::Passive),
     (command::LINE_NUMBER, Own::Passive),

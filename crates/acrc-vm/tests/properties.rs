@@ -210,7 +210,7 @@ fn dimensions() -> Vec<Instruction> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
     fn no_verified_program_panics(program in program(), dimensioned: bool) {

@@ -47,6 +47,15 @@ fn fail_on_decides_the_exit_status_of_lint() {
 }
 
 #[test]
+fn aliases_that_name_each_other_are_refused() {
+    let bench = Bench::new();
+    bench.file("loop.8K", "#DEFINE First Second\n#DEFINE Second First\nPROG0\nPROGRAM\nFirst = 5\nENDP\n");
+    let run = bench.acrc(["lint", "loop.8K"]).expect(1);
+    assert!(run.stdout.contains("2 errors in 1 file"), "{}", run.stdout);
+    assert!(run.stdout.contains("another alias"), "{}", run.stdout);
+}
+
+#[test]
 fn colour_only_when_asked_for() {
     let bench = Bench::new();
     bench.file("bad.8K", BROKEN);

@@ -242,3 +242,30 @@ fn programs_start_by_pboot_or_by_run_and_else_the_user_is_told() {
     let missing = bench.acrc(["sim", "plain.8K", "--run", "PROG3"]).expect(2);
     assert!(missing.stderr.contains("PROG3 has no text"), "{}", missing.stderr);
 }
+
+#[test]
+fn statements_outside_program_are_executed_as_typed() {
+    let bench = Bench::new();
+    let typed = one_axis("").replace("PROGRAM\n\nENDP\n", "X20\nINH -516\n?P12290\n");
+    bench.file("typed.8K", typed);
+    let report = bench.sim("typed.8K --run PROG0");
+    assert_eq!(report["output"][0]["text"], "80000");
+    assert_eq!(report["moves"][0]["motion_seconds"], 2.828_5);
+    assert!(report["notes"].to_string().contains("no PROGRAM .. ENDP"), "{}", report["notes"]);
+}
+
+#[test]
+fn aliases_are_defined_before_what_they_name_exists() {
+    let bench = Bench::new();
+    bench.file(
+        "alias.8K",
+        one_axis("DIM LV(1)\nCount = 3\nPRINT Count; P0").replacen(
+            "PROG0\n",
+            "CLEAR\nDIM PROG0(1000)\nDIM P(1)\n#DEFINE Count LV0\nPROG0\n",
+            1,
+        ),
+    );
+    let report = bench.sim("alias.8K --run PROG0");
+    assert_eq!(report["faults"], json!([]));
+    assert_eq!(report["output"][0]["text"], "30");
+}

@@ -62,7 +62,7 @@ impl Files for Disk {
             match entry?.file_name().into_string() {
                 Ok(name) => names.push(name),
                 Err(name) if name.to_string_lossy().to_ascii_lowercase().ends_with(".8k") => {
-                    let message = format!("the file name {name:?} is not UTF-8");
+                    let message = format!("the file name `{}` is not UTF-8", name.display());
                     return Err(io::Error::new(io::ErrorKind::InvalidData, message));
                 }
                 Err(_) => {}

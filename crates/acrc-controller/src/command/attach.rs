@@ -8,7 +8,7 @@ use super::{Action, Context, Entry};
 use crate::axis::SlaveSlot;
 use crate::error::ControllerError;
 use crate::machine::{Attachment, Machine};
-use crate::master::{Master, SLOTS};
+use crate::master::SLOTS;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::ATTACH_AXIS, Action::Run(attach_axis)),
@@ -68,6 +68,8 @@ fn attach_slave(context: &mut Context, call: &Call) -> Result<Outcome, Controlle
     let position = machine.position(axis);
     let profiler = &mut machine.masters[usize::from(master)].profiler;
     profiler.set_position(usize::from(slot), position).map_err(|_| ControllerError::InMotion)?;
+    // What `VECDEF` said of the axis that had the slot before is not meant for this one.
+    profiler.set_weight(usize::from(slot), 1.0).map_err(|error| ControllerError::Move(error.to_string()))?;
     machine.masters[usize::from(master)].slots[usize::from(slot)] = Some(axis);
     machine.axes[usize::from(axis)].slave = Some(SlaveSlot { master, slot });
     machine.attachments[usize::from(program)].names[usize::from(slot)] = Some(name);
@@ -93,7 +95,13 @@ fn slave_name(call: &Call) -> Result<AxisName, ControllerError> {
 fn detach(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let program = context.program(call)?;
     match call.arguments {
-        [] | [Arg::Object { kind: ObjectKind::Master, .. }] => detach_program(context.machine, program),
+        [] => detach_program(context.machine, program),
+        [Arg::Object { kind: ObjectKind::Master, index: Some(master), .. }] => {
+            match context.machine.attachments[usize::from(program)].master {
+                Some(own) if u16::from(own) == *master => detach_program(context.machine, program),
+                _ => Err(ControllerError::NotAttached { program, master: *master }),
+            }
+        }
         [Arg::Object { kind: ObjectKind::Slave, index: Some(slot), .. }] => {
             let master = context.machine.master_of(program)?;
             let slot = Machine::object("SLAVE", i64::from(*slot), SLOTS as u8)?;
@@ -123,8 +131,7 @@ fn detach_program(machine: &mut Machine, program: u8) -> Result<(), ControllerEr
     for slot in 0..SLOTS as u8 {
         detach_slot(machine, master, slot)?;
     }
-    let statistics = machine.masters[usize::from(master)].statistics;
-    machine.masters[usize::from(master)] = Master { statistics, ..Master::new() };
+    machine.masters[usize::from(master)].program = None;
     machine.attachments[usize::from(program)] = Attachment::default();
     Ok(())
 }

@@ -88,7 +88,9 @@ impl Context<'_> {
 
     /// The program, for commands that need one.
     fn program(&self, call: &Call) -> Result<u8, ControllerError> {
-        self.program
-            .ok_or_else(|| ControllerError::WrongLevel { command: call.command.info().name, level: "SYS".to_owned() })
+        self.program.ok_or_else(|| ControllerError::WrongLevel {
+            command: call.command.info().name,
+            level: self.machine.level.to_string(),
+        })
     }
 }

@@ -29,7 +29,10 @@ fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
     let mut next = Move::new(settings);
     for argument in call.arguments {
         let (slot, target) = context.target(program, call, argument)?;
-        next.targets[slot] = Some(target);
+        if next.targets[slot].replace(target).is_some() {
+            let problem = format!("the axis in SLAVE{slot} is given two targets");
+            return Err(ControllerError::BadValue { command: call.command.info().name, problem });
+        }
     }
     let result = context.machine.masters[master].profiler.push(&next);
     match result {

@@ -1,13 +1,12 @@
 //! Velocity profile commands of a master (guide, "Velocity Profile Commands").
 
-use acrc_catalog::command;
-use acrc_motion::SettingError;
+use acrc_catalog::{CommandId, command};
+use acrc_motion::{MoveSettings, SettingError};
 use acrc_vm::{Call, Outcome};
 
 use super::arguments::scalar;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
-use crate::master::Master;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::ACC, Action::Run(profile_value)),
@@ -30,46 +29,41 @@ const SECONDS_PER_MINUTE: f64 = 60.0;
 fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let index = context.master(call)?;
     let command = call.command.info().name;
-    let Some(value) = scalar(call)? else {
-        let value = current(&context.machine.masters[index], call);
-        context.report(value);
-        return Ok(Outcome::Done);
-    };
-    if value < 0.0 {
+    let value = scalar(call)?;
+    if let Some(value) = value.filter(|value| *value < 0.0) {
         return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
     }
     let master = &mut context.machine.masters[index];
-    match call.command {
-        command::FOV => master.profiler.set_feedrate_override(value).map_err(refused)?,
-        command::VECTOR => {
+    let reported = match (call.command, value) {
+        (command::FOV, None) => master.profiler.feedrate_override(),
+        (command::FOV, Some(value)) => {
+            master.profiler.set_feedrate_override(value).map_err(refused)?;
+            return Ok(Outcome::Done);
+        }
+        (command::VECTOR, None) => master.vector,
+        (command::VECTOR, Some(value)) => {
             master.profiler.set_vector(value).map_err(refused)?;
             master.vector = value;
+            return Ok(Outcome::Done);
         }
-        command::F => master.settings.velocity = value / SECONDS_PER_MINUTE,
-        _ => *setting(master, call) = value,
-    }
+        (_, None) => *setting(&mut master.settings, call.command) * per_setting(call.command),
+        (_, Some(value)) => {
+            *setting(&mut master.settings, call.command) = value / per_setting(call.command);
+            return Ok(Outcome::Done);
+        }
+    };
+    context.report(reported);
     Ok(Outcome::Done)
 }
 
-fn current(master: &Master, call: &Call) -> f64 {
-    match call.command {
-        command::FOV => master.profiler.feedrate_override(),
-        command::VECTOR => master.vector,
-        command::F => master.settings.velocity * SECONDS_PER_MINUTE,
-        command::ACC => master.settings.acceleration,
-        command::DEC => master.settings.deceleration,
-        command::STP => master.settings.stop,
-        command::FVEL => master.settings.final_velocity,
-        command::IVEL => master.settings.initial_velocity,
-        command::JRK => master.settings.jerk,
-        command::TMOV => master.settings.time,
-        _ => master.settings.velocity,
-    }
+/// Units of the command for each unit of the setting.
+fn per_setting(command: CommandId) -> f64 {
+    if command == command::F { SECONDS_PER_MINUTE } else { 1.0 }
 }
 
-fn setting<'m>(master: &'m mut Master, call: &Call) -> &'m mut f64 {
-    let settings = &mut master.settings;
-    match call.command {
+/// The setting of the next move that a command stands for.
+fn setting(settings: &mut MoveSettings, command: CommandId) -> &mut f64 {
+    match command {
         command::ACC => &mut settings.acceleration,
         command::DEC => &mut settings.deceleration,
         command::STP => &mut settings.stop,

@@ -41,7 +41,6 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::CLEAR_DPCB, Action::Nothing),
     (command::CLEAR_STREAM, Action::Nothing),
     (command::PERIOD, Action::Run(period)),
-    (command::DEFINE, Action::Nothing),
     (command::PBOOT, Action::Nothing),
     (command::REM, Action::Nothing),
 ];
@@ -80,12 +79,18 @@ fn control(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
         command::NEW => Request::New,
         _ => Request::Run,
     };
-    let mut halts_itself = false;
-    for program in context.programs(call)? {
-        halts_itself |= call.command == command::HALT && !context.immediate && context.program == Some(program);
-        context.machine.requests.push(request(program));
+    let programs = context.programs(call)?;
+    let itself = !context.immediate && context.program.is_some_and(|program| programs.contains(&program));
+    if itself && call.command == command::PAUSE && !call.first {
+        // It was paused here, and goes on.
+        return Ok(Outcome::Done);
     }
-    Ok(if halts_itself { Outcome::End } else { Outcome::Done })
+    context.machine.requests.extend(programs.into_iter().map(request));
+    Ok(match call.command {
+        command::HALT | command::NEW if itself => Outcome::End,
+        command::PAUSE if itself => Outcome::Again,
+        _ => Outcome::Done,
+    })
 }
 
 /// `CLEAR` at the system prompt frees all system memory, at a program prompt the program's variables.
@@ -147,7 +152,10 @@ fn period(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
             });
         }
         Some(seconds) if context.machine.clock.ticks() == 0 => context.machine.clock.set_period(seconds),
-        Some(_) => return Err(ControllerError::InMotion),
+        Some(_) => {
+            let problem = "the servo period can only be set before time begins".to_owned();
+            return Err(ControllerError::BadValue { command, problem });
+        }
     }
     Ok(Outcome::Done)
 }

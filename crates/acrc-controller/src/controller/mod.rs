@@ -59,6 +59,8 @@ struct Boot {
     release: Option<u64>,
     done: bool,
     waiting: bool,
+    /// The count of changes when it last found that it must wait.
+    waited_at: u64,
 }
 
 impl Controller {
@@ -78,6 +80,7 @@ impl Controller {
                 release: None,
                 done: false,
                 waiting: false,
+                waited_at: 0,
             },
             machine,
             image,

@@ -45,7 +45,12 @@ impl Controller {
     /// Stores a program's text in its space.
     fn install(&mut self, index: usize) -> Result<(), String> {
         let Some(unit) = self.image.programs.get(index) else { return Ok(()) };
-        let UnitName::Program(number) = unit.name else { return Ok(()) };
+        let UnitName::Program(number) = unit.name else {
+            self.machine
+                .notes
+                .insert(format!("{} has a program: the dry run does not execute PLC programs", unit.name));
+            return Ok(());
+        };
         let Some(program) = self.programs.get_mut(usize::from(number)) else {
             let last = self.machine.model.programs.saturating_sub(1);
             return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.to_string());
@@ -57,9 +62,7 @@ impl Controller {
         }
         let code = Code::load(unit, &self.image.aliases).map_err(|error| error.to_string())?;
         // The place at which the old text stood means nothing in the new one.
-        if program.state != State::Idle {
-            program.stop(State::Idle);
-        }
+        program.stop(State::Idle);
         program.frame.reset();
         program.code = Some(code);
         program.text_bytes = needed;

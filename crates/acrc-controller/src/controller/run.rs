@@ -26,11 +26,12 @@ pub enum Stopped {
 impl Controller {
     /// Boots, starts the given programs and runs until everything has ended, `until` seconds are over, or the observer ends the run.
     pub fn run(&mut self, start: &[u8], until: f64, observer: &mut dyn Observer) -> Stopped {
-        let end = self.machine.clock.tick_at(until);
         let mut started = false;
         self.report_events(observer);
         loop {
             self.execute_setup(observer);
+            // `PERIOD` in the setup code changes how many ticks a time takes.
+            let end = self.machine.clock.tick_at(until);
             if self.boot.done && !started {
                 started = true;
                 for program in start {
@@ -109,7 +110,8 @@ impl Controller {
 
     /// The tick before which nothing can change: no motion, and every program waits for a time or for something that does not happen.
     fn quiet_until(&self, end: u64) -> Option<u64> {
-        let boot_waits = self.boot.done || (self.boot.waiting && self.boot.release.is_some());
+        let boot_waits =
+            self.boot.done || self.boot.waiting && (self.boot.release.is_some() || self.boot.waited_at == self.changes);
         let waits = |program: &Program| {
             !program.state.is_active()
                 || program.state == State::Waiting && (program.release.is_some() || program.waited_at == self.changes)
@@ -130,6 +132,19 @@ impl Controller {
     fn slice(&mut self, observer: &mut dyn Observer) {
         let running = self.running();
         let Some(number) = self.scheduler.next(&running) else { return };
+        for _ in 0..LINES_PER_SLICE {
+            self.execute_line(number, observer);
+            if self.programs[number].state != State::Running {
+                break;
+            }
+        }
+        if self.programs[number].state != State::Waiting {
+            self.scheduler.pass_on(number, running.len());
+        }
+    }
+
+    /// Executes the next line of a program, and then what it asked of the scheduler.
+    fn execute_line(&mut self, number: usize, observer: &mut dyn Observer) {
         let program = &mut self.programs[number];
         let Some(code) = &program.code else { return };
         let mut context = Context {
@@ -139,8 +154,7 @@ impl Controller {
             observer,
             immediate: false,
         };
-        let run =
-            acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(LINES_PER_SLICE));
+        let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(1));
         program.statements += u64::from(run.statements);
         if run.statements > 0 {
             self.changes += 1;
@@ -152,14 +166,14 @@ impl Controller {
             Stop::Ended => State::Ended,
             Stop::Fault(_) => State::Fault,
         };
-        if run.stop != Stop::Blocked {
-            self.scheduler.pass_on(number, running.len());
-        }
         if let Stop::Fault(fault) = &run.stop {
             let location = code.location(fault.pc);
             let report = self.fault_report(Some(number as u8), location, fault.to_string());
             self.faulted = true;
             observer.fault(&report);
+        }
+        if !self.programs[number].state.is_active() {
+            self.update_program_flags();
         }
         self.apply_requests(observer);
     }

@@ -47,7 +47,10 @@ impl Controller {
         let run = acrc_vm::run(&boot.code, &mut boot.frame, locals, &mut context, Budget::statements(1));
         boot.waiting = run.stop == Stop::Blocked;
         boot.done = run.stop == Stop::Ended;
-        self.changes += 1;
+        if run.statements > 0 {
+            self.changes += 1;
+        }
+        boot.waited_at = self.changes;
         if let Stop::Fault(fault) = &run.stop {
             // As at the prompt: the controller says what is wrong and takes the next statement.
             let location = boot.code.location(fault.pc);

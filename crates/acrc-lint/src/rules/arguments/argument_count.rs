@@ -1,6 +1,6 @@
 //! `ACR201`: too few or too many arguments.
 
-use acrc_catalog::{Command as Row, Shape};
+use acrc_catalog::{Command as Row, Shape, command};
 use acrc_diagnostics::{Code, Severity, Span};
 use acrc_syntax::ast::{Command, Dim, Expr, ExprKind, Statement, StatementKind};
 
@@ -69,7 +69,7 @@ fn check_group(context: &mut Context<'_>, group: &Values<'_>) {
     let (min, max) = (usize::from(row.tuple_min), usize::from(row.tuple_max));
     let written = match group.values {
         Written::Given(values) => values.len(),
-        Written::Missing if !row.bare_axis && max > 0 && group.axis.is_some() => 0,
+        Written::Missing if !row.bare_axis && max > 0 && is_known_axis(context, group) => 0,
         Written::Missing | Written::Other => return,
     };
     // A scalar of a shape without tuples is a tuple of one.
@@ -82,6 +82,13 @@ fn check_group(context: &mut Context<'_>, group: &Values<'_>) {
     let message = format!("{}{whose} takes {}, and has {}", row.name, counted(min, max, "value"), number(written));
     let diagnostic = RULE.at(group.span, message).with_help(format!("its form is {}", row.signature));
     context.report_by(row.confidence, diagnostic);
+}
+
+/// A name without a value where a statement could start may be a misspelt command; that is another rule.
+fn is_known_axis(context: &Context<'_>, group: &Values<'_>) -> bool {
+    let is_declared =
+        |axis| context.environment().axes_at(context.level()).is_some_and(|axes| axes.has(context.slice(axis)));
+    group.axis.is_some_and(|axis| group.row.id != command::AXIS_MOVE || is_declared(axis))
 }
 
 fn check_dim(context: &mut Context<'_>, dim: &Dim, span: Span) {

@@ -4,6 +4,7 @@ pub(crate) mod argument_count;
 pub(crate) mod argument_kind;
 pub(crate) mod argument_range;
 mod groups;
+pub(crate) mod missing_parentheses;
 pub(crate) mod number_too_large;
 mod range;
 mod value_kind;

@@ -1,9 +1,9 @@
 //! `ACR204`: an axis name that the program does not have.
 
 use acrc_analysis::{AxisTable, walk};
-use acrc_catalog::command;
+use acrc_catalog::command::AXIS_MOVE;
 use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
-use acrc_syntax::ast::{Axis, Statement, StatementKind};
+use acrc_syntax::ast::{Argument, Axis, Statement, StatementKind};
 use acrc_syntax::units::Level;
 
 use crate::near_command::{exchanged_letters, near_command};
@@ -44,7 +44,7 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
 
 fn not_among(context: &Context<'_>, axis: &Axis, statement: &Statement, table: &AxisTable) -> Diagnostic {
     let name = context.slice(axis.name);
-    if is_whole_move(statement)
+    if may_be_command(axis, statement)
         && let Some(command) = near_command(name)
     {
         return misspelt(axis, name, command);
@@ -77,12 +77,18 @@ fn without_attachments(context: &mut Context<'_>, axis: &Axis, level: Level) {
     context.report(diagnostic);
 }
 
-/// In a piece of code without its surroundings any name may be an axis. Only a command with two letters exchanged is
-/// still conspicuous.
+/// In a piece of code without its surroundings any name may be an axis. Only a name that does not move, and a command
+/// with two letters exchanged, are still conspicuous.
 fn probably_misspelt(context: &Context<'_>, axis: &Axis, statement: &Statement) -> Option<Diagnostic> {
     let name = context.slice(axis.name);
-    if name.len() < 3 || !is_whole_move(statement) {
+    if name.len() < 3 || !may_be_command(axis, statement) {
         return None;
+    }
+    if axis.value.is_none() {
+        return Some(near_command(name).map_or_else(
+            || RULE.at(axis.name, format!("`{name}` is no command, and no axis with a target either")),
+            |command| misspelt(axis, name, command),
+        ));
     }
     let command = exchanged_letters(name)?;
     Some(Diagnostic { severity: Severity::Warning, ..misspelt(axis, name, command) })
@@ -93,9 +99,11 @@ fn misspelt(axis: &Axis, name: &str, command: &str) -> Diagnostic {
         .with_fix(Fix::unsafe_(format!("write {command}"), vec![Edit::replace(axis.name, command)]))
 }
 
-/// A move without a keyword of a single axis, which a misspelt command with its argument reads as.
-fn is_whole_move(statement: &Statement) -> bool {
-    matches!(&statement.kind, StatementKind::Command(c) if c.id == command::AXIS_MOVE && c.arguments.len() == 1)
+/// The first axis of a move without a keyword, alone or without a target: a misspelt command reads like this.
+fn may_be_command(axis: &Axis, statement: &Statement) -> bool {
+    let StatementKind::Command(command) = &statement.kind else { return false };
+    let is_first = matches!(command.arguments.first(), Some(Argument::Axis(first)) if first.name == axis.name);
+    command.id == AXIS_MOVE && is_first && (command.arguments.len() == 1 || axis.value.is_none())
 }
 
 #[cfg(test)]
@@ -136,6 +144,10 @@ mod tests {
         let unknown = "unknown command or axis `VLE`: did you mean `VEL`?";
         assert_eq!(messages(&format!("{X}VLE 5\n")), [unknown]);
         assert_eq!(messages("VLE 5\n"), [unknown]);
+        let unknown = "unknown command or axis `MOVE`: did you mean `MOV`?";
+        assert_eq!(messages(&format!("{X}MOVE X5\n")), [unknown]);
+        assert_eq!(messages("MOVE X5\n"), [unknown]);
+        assert_eq!(messages("STRT\n"), ["`STRT` is no command, and no axis with a target either"]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use acrc_vm::Value;
 use serde::Serialize;
 
 use super::observer::source;
-use super::summary::{Report, all_notes};
+use super::summary::Report;
 use crate::output;
 
 #[derive(Serialize)]
@@ -142,7 +142,7 @@ fn document(report: &Report) -> Document {
                 message: fault.message.clone(),
             })
             .collect(),
-        notes: all_notes(report),
+        notes: report.notes.to_vec(),
         values: report.read.iter().map(|register| (register.to_string(), json(&report.value(*register)))).collect(),
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         bail!("{} cannot be run before that is mended", title(&project));
     };
     let image = Arc::new(image);
-    let start = programs_to_start(arguments, &project, &image)?;
+    let (start, mut notes) = programs_to_start(arguments, &project, &image)?;
     refuse_unsupported(&image, &start)?;
     let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
     let mut recorder = Recorder::new(arguments, &image, &world)?;
@@ -54,7 +54,9 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
 
     let exit = exit_of(stopped, &controller);
     let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(title(&project))? };
-    let report = summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read };
+    notes.extend(summary::notes_of(&controller, &record));
+    let report =
+        summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read, notes: &notes };
     match arguments.format {
         SimFormat::Text => summary::print(&report, wall, until, &files, Terminal::output(color))?,
         SimFormat::Json => json::print(&report)?,
@@ -79,7 +81,11 @@ fn load_world(arguments: &SimArguments, project: &LoadedProject) -> anyhow::Resu
 }
 
 /// The programs of `--run`, else of the project, else those that begin with `PBOOT`.
-fn programs_to_start(arguments: &SimArguments, project: &LoadedProject, image: &Image) -> anyhow::Result<Vec<u8>> {
+fn programs_to_start(
+    arguments: &SimArguments,
+    project: &LoadedProject,
+    image: &Image,
+) -> anyhow::Result<(Vec<u8>, Vec<String>)> {
     let mut asked = arguments.run.clone();
     if let (true, Some(targets)) = (asked.is_empty(), &project.config.sim.run) {
         for target in targets {
@@ -97,13 +103,30 @@ fn programs_to_start(arguments: &SimArguments, project: &LoadedProject, image: &
             bail!("no program starts by itself: none begins with PBOOT. --run {} starts one", list(&stored));
         }
     }
-    if let Some(missing) = asked.iter().find(|number| !stored.contains(number)) {
-        let there = if stored.is_empty() { "no program".to_owned() } else { list(&stored) };
-        bail!("PROG{missing} has no text: {} holds {there}", arguments.project.display());
+    let mut notes = Vec::new();
+    for number in asked.iter().filter(|number| !stored.contains(number)) {
+        if !switches_to(image, *number) {
+            let there = if stored.is_empty() { "no program".to_owned() } else { list(&stored) };
+            bail!("PROG{number} has no text: {} holds {there}", arguments.project.display());
+        }
+        notes.push(format!(
+            "PROG{number} has no PROGRAM .. ENDP: its statements were executed once, as typed at its prompt"
+        ));
     }
+    asked.retain(|number| stored.contains(number));
     asked.sort_unstable();
     asked.dedup();
-    Ok(asked)
+    Ok((asked, notes))
+}
+
+/// Whether setup code switches to the prompt of a program.
+fn switches_to(image: &Image, program: u8) -> bool {
+    let to_it = |instruction: &acrc_image::Instruction| {
+        let number = instruction.items.first().map(|item| &item.node);
+        instruction.command == acrc_catalog::command::PROG
+            && number == Some(&acrc_image::Node::Long(i32::from(program)))
+    };
+    image.boot.decode().unwrap_or_default().iter().any(to_it)
 }
 
 /// Whether setup code runs programs.

@@ -16,6 +16,8 @@ pub(super) struct Report<'a> {
     pub(super) record: &'a Record,
     pub(super) stopped: Stopped,
     pub(super) read: &'a [Register],
+    /// What the reader of the run has to know about its limits.
+    pub(super) notes: &'a [String],
 }
 
 impl Report<'_> {
@@ -129,7 +131,7 @@ fn values(text: &mut String, report: &Report, terminal: Terminal) {
 }
 
 fn notes(text: &mut String, report: &Report, terminal: Terminal) {
-    for note in all_notes(report) {
+    for note in report.notes {
         let _ = writeln!(text, "{} {note}", terminal.warning_word("note:"));
     }
     let faults = report.record.faults.len();
@@ -142,14 +144,14 @@ fn notes(text: &mut String, report: &Report, terminal: Terminal) {
     }
 }
 
-/// What the reader of a run has to know about its limits.
-pub(super) fn all_notes(report: &Report) -> Vec<String> {
-    let mut notes: Vec<String> = report.controller.notes().map(str::to_owned).collect();
-    for axis in report.controller.axes().iter().filter(|axis| axis.moved_disabled) {
+/// What a run left out or relied on without proof.
+pub(super) fn notes_of(controller: &Controller, record: &Record) -> Vec<String> {
+    let mut notes: Vec<String> = controller.notes().map(str::to_owned).collect();
+    for axis in controller.axes().iter().filter(|axis| axis.moved_disabled) {
         notes.push(format!("{} moved although its drive was never enabled (DRIVE ON)", axis_title(axis)));
     }
-    if report.record.dropped > 0 {
-        notes.push(format!("{} further lines of output are not in this report", report.record.dropped));
+    if record.dropped > 0 {
+        notes.push(format!("{} further lines of output are not in this report", record.dropped));
     }
     notes
 }
