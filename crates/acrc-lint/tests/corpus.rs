@@ -64,7 +64,7 @@ fn lint_listing(context: &str, listing: &str) -> Vec<(u32, Diagnostic)> {
 
 /// What stands before the listing: the statements of its context, or the fuller setup and the switch of the level.
 fn contexts(guide: &Path, listing: &Listing) -> Vec<String> {
-    let lines = |lines: &[String]| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let lines = |lines: &[String]| lines.iter().map(|line| line.clone() + "\n").collect::<String>();
     let mut contexts = vec![lines(&listing.context)];
     if let Some(setup) = &listing.context_file {
         let setup = fs::read_to_string(guide.join(setup)).expect("the setup that a listing names");

@@ -69,7 +69,7 @@ const PIECES: [&str; 48] = [
 fn program() -> impl Strategy<Value = String> {
     let piece = (prop::sample::select(&PIECES[..]), prop::sample::select(&["\n", "\r\n", " : ", " ", "", "("][..]));
     prop::collection::vec(piece, 0..60)
-        .prop_map(|pieces| pieces.into_iter().map(|(piece, end)| format!("{piece}{end}")).collect())
+        .prop_map(|pieces| pieces.into_iter().map(|(piece, end)| piece.to_owned() + end).collect())
 }
 
 proptest! {

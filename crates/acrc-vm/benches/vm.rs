@@ -1,4 +1,5 @@
-//! How fast programs run: nanoseconds an iteration of small loops, statements a second, and the same loop in Python where that is installed.
+//! How fast programs run: nanoseconds an iteration of small loops, statements a second, and the same loop in Python
+//! where that is installed.
 
 use std::hint::black_box;
 use std::process::Command;
@@ -19,11 +20,13 @@ const MEMORY: u64 = 100_000;
 const LOOPS: &[(&str, &str)] = &[
     (
         "while_sum",
-        "DIM LV(1)\nDIM DV(1)\nWHILE (LV0 < 100000)\nLV0 = LV0 + 1\nIF (LV0 MOD 3 = 0) THEN DV0 = DV0 + LV0 * 0.5\nWEND",
+        "DIM LV(1)\nDIM DV(1)\nWHILE (LV0 < 100000)\nLV0 = LV0 + 1\n\
+            IF (LV0 MOD 3 = 0) THEN DV0 = DV0 + LV0 * 0.5\nWEND",
     ),
     (
         "for_array",
-        "DIM LV(2)\nDIM LA(1)\nDIM LA0(1000)\nFOR LV1 = 1 TO 100\nFOR LV0 = 0 TO 999\nLA0(LV0) = LA0(LV0) + LV0\nNEXT\nNEXT",
+        "DIM LV(2)\nDIM LA(1)\nDIM LA0(1000)\nFOR LV1 = 1 TO 100\nFOR LV0 = 0 TO 999\n\
+            LA0(LV0) = LA0(LV0) + LV0\nNEXT\nNEXT",
     ),
     ("gosub", "DIM LV(1)\nWHILE (LV0 < 100000)\nGOSUB Count\nWEND\nEND\n_Count\nLV0 = LV0 + 1\nRETURN"),
     ("parameters", "WHILE (P0 < 100000)\nP0 = P0 + 1\nP1 = P0 * 0.5\nWEND"),
@@ -95,7 +98,8 @@ fn finish(code: &Code) -> u64 {
 
 /// Nanoseconds an iteration of the first loop in Python; `None` when it is not installed.
 fn python() -> Option<f64> {
-    let script = "import time\nt=time.perf_counter()\ni=0\ns=0.0\nwhile i<1000000:\n    i=i+1\n    if i%3==0: s=s+i*0.5\nprint((time.perf_counter()-t)*1000)";
+    let script = "import time\nt=time.perf_counter()\ni=0\ns=0.0\nwhile i<1000000:\n    i=i+1\n\
+            if i%3==0: s=s+i*0.5\nprint((time.perf_counter()-t)*1000)";
     let output = Command::new("python3").args(["-c", script]).output().ok()?;
     String::from_utf8(output.stdout).ok()?.trim().parse().ok()
 }

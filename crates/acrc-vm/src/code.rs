@@ -30,8 +30,8 @@ pub struct Code {
 
 /// A real constant of at most seven digits.
 ///
-/// Beside a number of 32 bits it counts with 32 bits, so that `SV0 = 0.1` makes `SV0 = 0.1` true; anywhere else it is the decimal that was written,
-/// so that `P0 = 0.1` prints 0.1.
+/// Beside a number of 32 bits it counts with 32 bits, so that `SV0 = 0.1` makes `SV0 = 0.1` true; anywhere else it is
+/// the decimal that was written, so that `P0 = 0.1` prints 0.1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Real {
     pub(crate) single: f32,

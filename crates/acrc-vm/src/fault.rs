@@ -1,7 +1,8 @@
 //! Why a program cannot go on.
 //!
-//! The guide names two of the controller's own texts that concern a running program ("Re-dimensioned block" and "Associated Slave Kill Motion Request
-//! Active"); the others are this tool's, since the controller's are not documented. A message names the thing and its limit.
+//! The guide names two of the controller's own texts that concern a running program ("Re-dimensioned block" and
+//! "Associated Slave Kill Motion Request Active"); the others are this tool's, since the controller's are not
+//! documented. A message names the thing and its limit.
 
 use acrc_catalog::{CommandId, OperandClass};
 use thiserror::Error;
@@ -166,7 +167,6 @@ fn outside(class: OperandClass, index: i64, count: u32) -> String {
 #[error("{kind}")]
 pub struct Fault {
     /// What went wrong.
-    #[source]
     pub kind: FaultKind,
     /// Where, as [`Code::location`] takes it.
     pub pc: u32,

@@ -9,7 +9,8 @@ use crate::value::Value;
 
 /// The controller around a program.
 ///
-/// The machine is generic over its host, so that these calls can be inlined. A fault that a method returns stops the program at the present statement.
+/// The machine is generic over its host, so that these calls can be inlined. A fault that a method returns stops the
+/// program at the present statement.
 pub trait Host {
     /// Reads `P<number>`, user variables `P0` to `P4095` included.
     fn parameter(&mut self, number: i64) -> Result<Value, FaultKind>;
@@ -36,7 +37,8 @@ pub trait Host {
     /// True when a character waits at a device (`KBHIT`).
     fn character_waits(&mut self, device: i32) -> Result<bool, FaultKind>;
 
-    /// Called before every statement with its place ([`crate::Code::location`]): for tracing and coverage. Costs nothing when it is not written.
+    /// Called before every statement with its place ([`crate::Code::location`]): for tracing and coverage. Costs
+    /// nothing when it is not written.
     #[inline]
     fn statement(&mut self, pc: u32) {
         let _ = pc;
@@ -178,7 +180,8 @@ pub enum Reference {
 pub enum Outcome {
     /// It is done.
     Done,
-    /// It has to wait (`DWL`, `INH`, a full move queue). The same evaluated call is offered again when the program next gets its slice.
+    /// It has to wait (`DWL`, `INH`, a full move queue). The same evaluated call is offered again when the program next
+    /// gets its slice.
     Again,
     /// It ended this program (`HALT` of itself).
     End,

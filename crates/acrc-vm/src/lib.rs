@@ -1,11 +1,12 @@
 //! The virtual machine: executes one stored program against a host.
 //!
-//! [`Code::load`] verifies a unit of an image and decodes it to a register form once; [`run`] then executes it statement by statement against a [`Host`], which is
-//! the controller around it: parameters, flags, motion commands, devices. The machine itself knows expressions, assignments, program flow and local
-//! variables (guide, "Program Flow", "Parametric Evaluation", "Variable Memory Allocation") and nothing else. It never sees program text.
+//! [`Code::load`] verifies a unit of an image and decodes it to a register form once; [`run`] then executes it
+//! statement by statement against a [`Host`], which is the controller around it: parameters, flags, motion commands,
+//! devices. The machine itself knows expressions, assignments, program flow and local variables (guide, "Program Flow",
+//! "Parametric Evaluation", "Variable Memory Allocation") and nothing else. It never sees program text.
 //!
-//! State is split by its owner, so that a controller can run any mixture of programs, immediate statements and PLC programs:
-//! [`Code`] is immutable, [`Frame`] says how far a run has come, [`Locals`] are the variables of a program.
+//! State is split by its owner, so that a controller can run any mixture of programs, immediate statements and PLC
+//! programs: [`Code`] is immutable, [`Frame`] says how far a run has come, [`Locals`] are the variables of a program.
 //!
 //! ```
 //! # use acrc_catalog::{OperandClass, UnaryOperator, command};

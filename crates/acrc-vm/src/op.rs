@@ -1,9 +1,10 @@
 //! The register form that a program is decoded to before it runs.
 //!
-//! An expression becomes instructions with up to three operands, each a slot in a file of its type: 32-bit integers, 64-bit floating point numbers, and
-//! values whose type is known only at run time (parameters) or that are strings. Local variables `LV` and `DV` lie in the first two files behind the scratch
-//! slots of the running statement. A 32-bit floating point number travels in the file of 64-bit numbers, rounded to 32 bits where the language rounds
-//! it: for `+ - * /` of two such numbers that gives the same result as computing with 32 bits.
+//! An expression becomes instructions with up to three operands, each a slot in a file of its type: 32-bit integers,
+//! 64-bit floating point numbers, and values whose type is known only at run time (parameters) or that are strings.
+//! Local variables `LV` and `DV` lie in the first two files behind the scratch slots of the running statement. A 32-bit
+//! floating point number travels in the file of 64-bit numbers, rounded to 32 bits where the language rounds it: for `+
+//! - * /` of two such numbers that gives the same result as computing with 32 bits.
 
 use acrc_catalog::OperandClass;
 
@@ -77,8 +78,9 @@ pub(crate) enum DeviceQuery {
 
 /// One instruction. `to` is written, everything else is read.
 ///
-/// The letter behind a group says which files it works on: long, double, value.
+/// The first word of a name is the file that the operands are in.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[rustfmt::skip] // One instruction a line.
 pub(crate) enum Op {
     // Accounting.
     /// A statement that begins a line.
@@ -87,426 +89,121 @@ pub(crate) enum Op {
     Statement,
 
     // Longs.
-    LongConst {
-        to: Slot,
-        value: i32,
-    },
-    LongMove {
-        to: Slot,
-        from: Slot,
-    },
-    LongNegate {
-        to: Slot,
-        from: Slot,
-    },
-    LongNot {
-        to: Slot,
-        from: Slot,
-    },
-    LongAbs {
-        to: Slot,
-        from: Slot,
-    },
-    LongAdd {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    LongSub {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    LongMul {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    LongAddConst {
-        to: Slot,
-        left: Slot,
-        value: i32,
-    },
-    LongMulConst {
-        to: Slot,
-        left: Slot,
-        value: i32,
-    },
-    LongRemConst {
-        to: Slot,
-        left: Slot,
-        value: i32,
-    },
-    LongOperate {
-        operator: LongOperator,
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    LongCompare {
-        relation: Relation,
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
+    LongConst { to: Slot, value: i32 },
+    LongMove { to: Slot, from: Slot },
+    LongNegate { to: Slot, from: Slot },
+    LongNot { to: Slot, from: Slot },
+    LongAbs { to: Slot, from: Slot },
+    LongAdd { to: Slot, left: Slot, right: Slot },
+    LongSub { to: Slot, left: Slot, right: Slot },
+    LongMul { to: Slot, left: Slot, right: Slot },
+    LongAddConst { to: Slot, left: Slot, value: i32 },
+    LongMulConst { to: Slot, left: Slot, value: i32 },
+    LongRemConst { to: Slot, left: Slot, value: i32 },
+    LongOperate { operator: LongOperator, to: Slot, left: Slot, right: Slot },
+    LongCompare { relation: Relation, to: Slot, left: Slot, right: Slot },
 
     // Doubles.
-    DoubleConst {
-        to: Slot,
-        value: f64,
-    },
-    DoubleMove {
-        to: Slot,
-        from: Slot,
-    },
-    DoubleNegate {
-        to: Slot,
-        from: Slot,
-    },
-    DoubleAbs {
-        to: Slot,
-        from: Slot,
-    },
-    DoubleAdd {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    DoubleSub {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    DoubleMul {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    DoubleDiv {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    DoubleAddConst {
-        to: Slot,
-        left: Slot,
-        value: f64,
-    },
-    DoubleMulConst {
-        to: Slot,
-        left: Slot,
-        value: f64,
-    },
-    DoubleDivConst {
-        to: Slot,
-        left: Slot,
-        value: f64,
-    },
-    DoublePower {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    DoubleMath {
-        function: Math,
-        to: Slot,
-        from: Slot,
-    },
-    DoubleCompare {
-        relation: Relation,
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
+    DoubleConst { to: Slot, value: f64 },
+    DoubleMove { to: Slot, from: Slot },
+    DoubleNegate { to: Slot, from: Slot },
+    DoubleAbs { to: Slot, from: Slot },
+    DoubleAdd { to: Slot, left: Slot, right: Slot },
+    DoubleSub { to: Slot, left: Slot, right: Slot },
+    DoubleMul { to: Slot, left: Slot, right: Slot },
+    DoubleDiv { to: Slot, left: Slot, right: Slot },
+    DoubleAddConst { to: Slot, left: Slot, value: f64 },
+    DoubleMulConst { to: Slot, left: Slot, value: f64 },
+    DoubleDivConst { to: Slot, left: Slot, value: f64 },
+    DoublePower { to: Slot, left: Slot, right: Slot },
+    DoubleMath { function: Math, to: Slot, from: Slot },
+    DoubleCompare { relation: Relation, to: Slot, left: Slot, right: Slot },
     /// Rounds to 32 bits.
-    DoubleRound {
-        to: Slot,
-        from: Slot,
-    },
-    Random {
-        to: Slot,
-        below: Slot,
-    },
+    DoubleRound { to: Slot, from: Slot },
+    Random { to: Slot, below: Slot },
 
     // Values.
-    ValueConst {
-        to: Slot,
-        index: u32,
-    },
-    ValueMove {
-        to: Slot,
-        from: Slot,
-    },
-    ValueNegate {
-        to: Slot,
-        from: Slot,
-    },
-    ValueAbs {
-        to: Slot,
-        from: Slot,
-    },
-    ValueOperate {
-        operator: ValueOperator,
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
+    ValueConst { to: Slot, index: u32 },
+    ValueMove { to: Slot, from: Slot },
+    ValueNegate { to: Slot, from: Slot },
+    ValueAbs { to: Slot, from: Slot },
+    ValueOperate { operator: ValueOperator, to: Slot, left: Slot, right: Slot },
     /// A value against a real constant, which counts with 32 bits beside a value of 32 bits.
-    RealCompare {
-        relation: Relation,
-        to: Slot,
-        left: Slot,
-        index: u32,
-    },
-    TextJoin {
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
-    TextCompare {
-        relation: Relation,
-        to: Slot,
-        left: Slot,
-        right: Slot,
-    },
+    RealCompare { relation: Relation, to: Slot, left: Slot, index: u32 },
+    TextJoin { to: Slot, left: Slot, right: Slot },
+    TextCompare { relation: Relation, to: Slot, left: Slot, right: Slot },
     /// Arguments in the value slots from `from`.
-    TextCall {
-        function: TextFunction,
-        to: Slot,
-        from: Slot,
-        count: u8,
-    },
-    Device {
-        query: DeviceQuery,
-        to: Slot,
-        device: Slot,
-    },
+    TextCall { function: TextFunction, to: Slot, from: Slot, count: u8 },
+    Device { query: DeviceQuery, to: Slot, device: Slot },
 
     // From file to file.
-    LongToDouble {
-        to: Slot,
-        from: Slot,
-    },
-    DoubleToLong {
-        to: Slot,
-        from: Slot,
-    },
-    LongToValue {
-        to: Slot,
-        from: Slot,
-    },
-    DoubleToValue {
-        to: Slot,
-        from: Slot,
-    },
-    SingleToValue {
-        to: Slot,
-        from: Slot,
-    },
-    ValueToLong {
-        to: Slot,
-        from: Slot,
-    },
-    ValueToDouble {
-        to: Slot,
-        from: Slot,
-    },
+    LongToDouble { to: Slot, from: Slot },
+    DoubleToLong { to: Slot, from: Slot },
+    LongToValue { to: Slot, from: Slot },
+    DoubleToValue { to: Slot, from: Slot },
+    SingleToValue { to: Slot, from: Slot },
+    ValueToLong { to: Slot, from: Slot },
+    ValueToDouble { to: Slot, from: Slot },
     /// -1 for every number but zero.
-    ValueTruth {
-        to: Slot,
-        from: Slot,
-    },
+    ValueTruth { to: Slot, from: Slot },
 
     // Variables.
-    LoadSingle {
-        to: Slot,
-        index: u32,
-    },
-    StoreSingle {
-        index: u32,
-        from: Slot,
-    },
-    LoadText {
-        to: Slot,
-        index: u32,
-    },
-    StoreText {
-        index: u32,
-        from: Slot,
-    },
-    LoadLongElement {
-        to: Slot,
-        array: u16,
-        element: Slot,
-    },
-    StoreLongElement {
-        array: u16,
-        element: Slot,
-        from: Slot,
-    },
-    LoadDoubleElement {
-        to: Slot,
-        array: u16,
-        element: Slot,
-    },
-    StoreDoubleElement {
-        array: u16,
-        element: Slot,
-        from: Slot,
-    },
+    LoadSingle { to: Slot, index: u32 },
+    StoreSingle { index: u32, from: Slot },
+    LoadText { to: Slot, index: u32 },
+    StoreText { index: u32, from: Slot },
+    LoadLongElement { to: Slot, array: u16, element: Slot },
+    StoreLongElement { array: u16, element: Slot, from: Slot },
+    LoadDoubleElement { to: Slot, array: u16, element: Slot },
+    StoreDoubleElement { array: u16, element: Slot, from: Slot },
     /// A variable by a computed number, through the file of values.
-    LoadVariable {
-        class: OperandClass,
-        to: Slot,
-        index: Slot,
-    },
-    StoreVariable {
-        class: OperandClass,
-        index: Slot,
-        from: Slot,
-    },
+    LoadVariable { class: OperandClass, to: Slot, index: Slot },
+    StoreVariable { class: OperandClass, index: Slot, from: Slot },
     /// An element of any class, through the file of values.
-    LoadElement {
-        class: OperandClass,
-        to: Slot,
-        array: Slot,
-        element: Slot,
-    },
-    StoreElement {
-        class: OperandClass,
-        array: Slot,
-        element: Slot,
-        from: Slot,
-    },
+    LoadElement { class: OperandClass, to: Slot, array: Slot, element: Slot },
+    StoreElement { class: OperandClass, array: Slot, element: Slot, from: Slot },
 
     // Parameters and flags.
-    LoadParameter {
-        to: Slot,
-        number: i32,
-    },
-    LoadParameterAt {
-        to: Slot,
-        number: Slot,
-    },
-    StoreParameter {
-        number: i32,
-        from: Slot,
-    },
-    StoreParameterAt {
-        number: Slot,
-        from: Slot,
-    },
-    LoadBit {
-        to: Slot,
-        number: i32,
-    },
-    LoadBitAt {
-        to: Slot,
-        number: Slot,
-    },
-    StoreBit {
-        number: i32,
-        from: Slot,
-    },
-    StoreBitAt {
-        number: Slot,
-        from: Slot,
-    },
+    LoadParameter { to: Slot, number: i32 },
+    LoadParameterAt { to: Slot, number: Slot },
+    StoreParameter { number: i32, from: Slot },
+    StoreParameterAt { number: Slot, from: Slot },
+    LoadBit { to: Slot, number: i32 },
+    LoadBitAt { to: Slot, number: Slot },
+    StoreBit { number: i32, from: Slot },
+    StoreBitAt { number: Slot, from: Slot },
     /// `SET` and `CLR` with a constant.
-    SetBit {
-        number: i32,
-        state: bool,
-    },
+    SetBit { number: i32, state: bool },
 
     // Flow.
-    Jump {
-        target: u32,
-    },
+    Jump { target: u32 },
     /// Jumps when a long is zero.
-    JumpUnless {
-        from: Slot,
-        target: u32,
-    },
-    JumpUnlessLong {
-        relation: Relation,
-        left: Slot,
-        right: Slot,
-        target: u32,
-    },
-    JumpUnlessLongConst {
-        relation: Relation,
-        left: Slot,
-        value: i32,
-        target: u32,
-    },
-    JumpUnlessDouble {
-        relation: Relation,
-        left: Slot,
-        right: Slot,
-        target: u32,
-    },
+    JumpUnless { from: Slot, target: u32 },
+    JumpUnlessLong { relation: Relation, left: Slot, right: Slot, target: u32 },
+    JumpUnlessLongConst { relation: Relation, left: Slot, value: i32, target: u32 },
+    JumpUnlessDouble { relation: Relation, left: Slot, right: Slot, target: u32 },
     /// Jumps when a flag is clear, or when it is set.
-    JumpUnlessBit {
-        number: i32,
-        state: bool,
-        target: u32,
-    },
-    Gosub {
-        target: u32,
-    },
+    JumpUnlessBit { number: i32, state: bool, target: u32 },
+    Gosub { target: u32 },
     Return,
     /// Starts a loop: `end` and `step` are doubles. `whole` for a long counter, whose step is a whole number.
-    LoopBegin {
-        index: u16,
-        end: Slot,
-        step: Slot,
-        whole: bool,
-    },
+    LoopBegin { index: u16, end: Slot, step: Slot, whole: bool },
     /// Leaves the loop when the counter is beyond its end.
-    LoopTest {
-        index: u16,
-        counter: Slot,
-        target: u32,
-    },
-    LoopTestLong {
-        index: u16,
-        counter: Slot,
-        target: u32,
-    },
+    LoopTest { index: u16, counter: Slot, target: u32 },
+    LoopTestLong { index: u16, counter: Slot, target: u32 },
     /// Adds the step.
-    LoopStep {
-        index: u16,
-        to: Slot,
-        from: Slot,
-    },
+    LoopStep { index: u16, to: Slot, from: Slot },
     /// Adds the step and goes back unless the counter is then beyond the end.
-    LoopNext {
-        index: u16,
-        counter: Slot,
-        target: u32,
-    },
-    LoopNextLong {
-        index: u16,
-        counter: Slot,
-        target: u32,
-    },
+    LoopNext { index: u16, counter: Slot, target: u32 },
+    LoopNextLong { index: u16, counter: Slot, target: u32 },
     End,
     /// A statement that cannot be executed.
-    Raise {
-        index: u32,
-    },
+    Raise { index: u32 },
 
     // The rest.
-    Dim {
-        block: DimBlock,
-        array: Slot,
-        count: Slot,
-        length: Slot,
-    },
+    Dim { block: DimBlock, array: Slot, count: Slot, length: Slot },
     Clear,
-    Call {
-        index: u32,
-    },
+    Call { index: u32 },
 }
 
 impl Op {

@@ -75,8 +75,8 @@ pub(crate) fn own(command: CommandId) -> Option<Own> {
     OWN.iter().find(|(own, _)| *own == command).map(|(_, how)| *how)
 }
 
-/// Whether the machine executes a command of a stored text without asking its host. Some go to the host as well: a bare `CLEAR`, a report of
-/// `DIM`, and `SET` and `CLR` in forms that are not plain.
+/// Whether the machine executes a command of a stored text without asking its host. Some go to the host as well: a bare
+/// `CLEAR`, a report of `DIM`, and `SET` and `CLR` in forms that are not plain.
 pub fn executes(command: CommandId) -> bool {
     own(command).is_some()
 }

@@ -1,6 +1,7 @@
 //! How the arguments of a command are put together when it is executed.
 //!
-//! Everything that is known at load lies here; what is computed has a slot. A command whose arguments are all constant has them ready.
+//! Everything that is known at load lies here; what is computed has a slot. A command whose arguments are all constant
+//! has them ready.
 
 use acrc_catalog::{CommandId, Keyword, ObjectKind, OperandClass};
 use acrc_image::{AxisName, Mark};

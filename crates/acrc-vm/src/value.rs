@@ -1,7 +1,7 @@
 //! Values at run time and their conversions (guide, "Parametric Evaluation" and "Variable Memory Allocation").
 //!
-//! The language has 32-bit integers, 32-bit and 64-bit floating point numbers and strings. Numbers convert into each other; a string never does
-//! by itself, only through `VAL`, `STR$` and their like.
+//! The language has 32-bit integers, 32-bit and 64-bit floating point numbers and strings. Numbers convert into each
+//! other; a string never does by itself, only through `VAL`, `STR$` and their like.
 
 use crate::fault::FaultKind;
 use crate::text::Text;
@@ -66,7 +66,8 @@ impl Default for Value {
 /// A floating point number as a 32-bit integer: the fraction is dropped.
 ///
 /// Numbers from 2^31 up to 2^32 keep their bit pattern, because programs write such patterns into words of outputs
-/// (`RND(4294967295)` goes to an output word in the guide). What lies outside of that ends at the nearest bound of a signed integer.
+/// (`RND(4294967295)` goes to an output word in the guide). What lies outside of that ends at the nearest bound of a
+/// signed integer.
 #[inline]
 pub fn double_to_long(value: f64) -> i32 {
     let whole = value as i64;

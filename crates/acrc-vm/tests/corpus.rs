@@ -1,4 +1,5 @@
-//! The guide's own programs: every one that compiles loads and runs. They are read where they lie, and skipped when they are not there.
+//! The guide's own programs: every one that compiles loads and runs. They are read where they lie, and skipped when
+//! they are not there.
 
 mod support;
 

@@ -2,6 +2,7 @@
 
 mod support;
 
+use acrc_vm::{AngleUnit, Code, LoadOptions};
 use support::{Machine, load, output, value};
 
 /// Checks expressions against what they print.
@@ -179,7 +180,8 @@ fn shifts_move_bits_out() {
 
 #[test]
 fn flags_read_minus_one_or_zero() {
-    let text = "SET 32\nPRINT BIT32; BIT 33; NOT BIT32; NOT BIT 33; BIT(30+2)\nBIT33 = 0.5\nBIT(34) = -1\nBIT32 = 0\nPRINT BIT32; BIT33; BIT34";
+    let text = "SET 32\nPRINT BIT32; BIT 33; NOT BIT32; NOT BIT 33; BIT(30+2)\nBIT33 = 0.5\nBIT(34) = -1\n\
+        BIT32 = 0\nPRINT BIT32; BIT33; BIT34";
     assert_eq!(output(text), "-100-1-1\r\n0-1-1\r\n");
 }
 
@@ -237,6 +239,16 @@ fn functions_of_numbers() {
         ("ABS(P38912 * -1)", "5"),
         ("-P38912", "-5"),
     ]);
+}
+
+#[test]
+fn angles_may_be_degrees() {
+    let image = support::image("PRINT SIN(30); \" \"; ATAN(1)", true);
+    let options = LoadOptions { angle: AngleUnit::Degrees };
+    let code = Code::load_with(support::program(&image), &image.aliases, options).unwrap();
+    let mut machine = Machine::with(code);
+    machine.finish();
+    assert_eq!(machine.bench.output, "0.5 45\r\n");
 }
 
 #[test]

@@ -7,7 +7,8 @@ use support::{Machine, output, try_load};
 
 #[test]
 fn a_block_if_takes_the_first_true_branch() {
-    let program = "IF (P0 = 1)\nPRINT \"one\"\nELSEIF (P0 = 2)\nPRINT \"two\"\nELSE IF (P0 > 1)\nPRINT \"more\"\nELSE\nPRINT \"none\"\nENDIF\nPRINT \"end\"";
+    let program = "IF (P0 = 1)\nPRINT \"one\"\nELSEIF (P0 = 2)\nPRINT \"two\"\nELSE IF (P0 > 1)\n\
+        PRINT \"more\"\nELSE\nPRINT \"none\"\nENDIF\nPRINT \"end\"";
     for (number, expected) in [(1, "one"), (2, "two"), (3, "more"), (0, "none")] {
         assert_eq!(output(&format!("P0 = {number}\n{program}")), format!("{expected}\r\nend\r\n"));
     }
@@ -32,8 +33,10 @@ fn then_makes_the_rest_of_its_line_conditional() {
 
 #[test]
 fn every_number_but_zero_is_true() {
-    let program = "DIM DV(1)\nDV0 = 0.25\nIF (DV0) THEN PRINT \"double\"\nIF (2) THEN PRINT \"long\"\nIF (0.5) THEN PRINT \"real\"\n\
-                   IF (P5) THEN PRINT \"never\"\nIF (NOT BIT 40) THEN PRINT \"clear\"\nSET 40\nIF (BIT40) THEN PRINT \"set\"\nIF (BIT40 = -1) THEN PRINT \"minus one\"";
+    let program = "DIM DV(1)\nDV0 = 0.25\nIF (DV0) THEN PRINT \"double\"\nIF (2) THEN PRINT \"long\"\n\
+        IF (0.5) THEN PRINT \"real\"\n\
+                   IF (P5) THEN PRINT \"never\"\nIF (NOT BIT 40) THEN PRINT \"clear\"\nSET 40\n\
+                       IF (BIT40) THEN PRINT \"set\"\nIF (BIT40 = -1) THEN PRINT \"minus one\"";
     assert_eq!(output(program), "double\r\nlong\r\nreal\r\nclear\r\nset\r\nminus one\r\n");
 }
 
@@ -86,7 +89,8 @@ fn break_leaves_the_innermost_loop() {
 
 #[test]
 fn gosub_returns_behind_itself() {
-    let program = "GOSUB Outer : PRINT \"back\"\nEND\n_Outer\nPRINT \"outer\"\nGOSUB Inner\nPRINT \"outer again\"\nRETURN\n_Inner\nPRINT \"inner\"\nRETURN";
+    let program = "GOSUB Outer : PRINT \"back\"\nEND\n_Outer\nPRINT \"outer\"\nGOSUB Inner\n\
+        PRINT \"outer again\"\nRETURN\n_Inner\nPRINT \"inner\"\nRETURN";
     assert_eq!(output(program), "outer\r\ninner\r\nouter again\r\nback\r\n");
 }
 
@@ -187,13 +191,21 @@ fn blocks_that_do_not_match_are_refused() {
     ];
     for (program, message, line) in cases {
         let error = try_load(program).expect_err(program);
-        assert_eq!((error.to_string().as_str(), error.location.line), (message, line), "{program}");
+        assert_eq!(error.to_string(), format!("PROG0, line {line}: {message}"), "{program}");
     }
 }
 
 #[test]
 fn a_block_behind_then_may_stand_on_its_line() {
     assert_eq!(output("IF (1) THEN WHILE (P0 < 3) : P0 = P0 + 1 : WEND : PRINT P0"), "3\r\n");
+}
+
+#[test]
+fn a_statement_of_endless_length_is_refused() {
+    let program = format!("P0 = 1\nPRINT {}", vec!["BIT 40"; 600].join(";"));
+    let message = "the statement is too long to be executed at once: it needs more than 512 intermediate results";
+    let error = try_load(&program).expect_err("too long");
+    assert_eq!(error.to_string(), format!("PROG0, line 2: {message}"));
 }
 
 #[test]
@@ -239,7 +251,9 @@ fn no_budget_does_nothing() {
 
 #[test]
 fn slices_do_not_change_what_a_program_does() {
-    let program = "DIM LV(2)\nFOR LV0 = 1 TO 3\nLV1 = 0\nWHILE (LV1 < LV0) : LV1 = LV1 + 1 : PRINT LV1; : WEND\nGOSUB Mark\nNEXT\nEND\n_Mark\nPRINT \"|\";\nRETURN";
+    let program = "DIM LV(2)\nFOR LV0 = 1 TO 3\nLV1 = 0\n\
+        WHILE (LV1 < LV0) : LV1 = LV1 + 1 : PRINT LV1; : WEND\nGOSUB Mark\nNEXT\nEND\n_Mark\nPRINT \"|\";\n\
+        RETURN";
     let whole = output(program);
     assert_eq!(whole, "1|12|123|");
     for lines in 1..5 {

@@ -8,6 +8,13 @@ use acrc_vm::{Budget, Code, Stop};
 use proptest::prelude::*;
 use support::{Machine, output, value};
 
+/// Operators as they are written.
+const OPERATORS: &[&str] =
+    &["+", "-", "*", "/", "**", " MOD ", "<<", ">>", "=", "<>", "<", ">", "<=", ">=", " AND ", " OR ", " XOR "];
+
+/// Functions and signs in front of one argument.
+const FUNCTIONS: &[&str] = &["SIN", "SQRT", "ABS", "ROUND", "LN", "RND", "STR$", "VAL", "LEN", "CHR$", "-", "NOT "];
+
 /// Random expressions over constants, variables of every type, parameters and flags.
 fn expression() -> impl Strategy<Value = String> {
     let leaf = prop_oneof![
@@ -22,10 +29,9 @@ fn expression() -> impl Strategy<Value = String> {
         Just("\"text\"".to_owned()),
     ];
     leaf.prop_recursive(5, 64, 3, |inner| {
-        const OPERATORS: &[&str] = &["+", "-", "*", "/", "**", " MOD ", "<<", ">>", "=", "<>", "<", ">", "<=", ">=", " AND ", " OR ", " XOR "];
-        const FUNCTIONS: &[&str] = &["SIN", "SQRT", "ABS", "ROUND", "LN", "RND", "STR$", "VAL", "LEN", "CHR$", "-", "NOT "];
         prop_oneof![
-            4 => (inner.clone(), prop::sample::select(OPERATORS), inner.clone()).prop_map(|(a, op, b)| format!("({a}{op}{b})")),
+            4 => (inner.clone(), prop::sample::select(OPERATORS), inner.clone())
+                .prop_map(|(left, operator, right)| format!("({left}{operator}{right})")),
             2 => (prop::sample::select(FUNCTIONS), inner.clone()).prop_map(|(f, a)| format!("{f}({a})")),
             1 => inner.clone().prop_map(|a| format!("LV({a})")),
             1 => inner.prop_map(|a| format!("P({a})")),
@@ -41,7 +47,8 @@ proptest! {
 
     #[test]
     fn longs_agree_with_wrapping_arithmetic(a: i32, b in any::<i32>().prop_filter("not zero", |b| *b != 0)) {
-        let text = format!("DIM LV(2)\nLV0 = {a} : LV1 = {b}\nPRINT LV0+LV1; \",\"; LV0-LV1; \",\"; LV0*LV1; \",\"; LV0 MOD LV1; \",\"; LV0 < LV1");
+        let text = format!("DIM LV(2)\nLV0 = {a} : LV1 = {b}\n\
+            PRINT LV0+LV1; \",\"; LV0-LV1; \",\"; LV0*LV1; \",\"; LV0 MOD LV1; \",\"; LV0 < LV1");
         let expected = format!(
             "{},{},{},{},{}\r\n",
             a.wrapping_add(b), a.wrapping_sub(b), a.wrapping_mul(b), a.wrapping_rem(b), -i32::from(a < b)
@@ -51,7 +58,8 @@ proptest! {
 
     #[test]
     fn doubles_agree_with_the_processor(a in -1e6..1e6f64, b in 1e-3..1e6f64) {
-        let mut machine = Machine::new("DIM DV(6)\nDV0 = P0 : DV1 = P1\nDV2 = DV0+DV1 : DV3 = DV0-DV1 : DV4 = DV0*DV1 : DV5 = DV0/DV1");
+        let mut machine = Machine::new("DIM DV(6)\nDV0 = P0 : DV1 = P1\n\
+            DV2 = DV0+DV1 : DV3 = DV0-DV1 : DV4 = DV0*DV1 : DV5 = DV0/DV1");
         machine.bench.parameters.insert(0, acrc_vm::Value::Double(a));
         machine.bench.parameters.insert(1, acrc_vm::Value::Double(b));
         machine.finish();
@@ -232,7 +240,8 @@ proptest! {
 
     #[test]
     fn no_altered_program_panics(place in any::<prop::sample::Index>(), word: u32, bit in 0..32u32) {
-        let text = "DIM LV(3)\nDIM LA(1) : DIM LA0(4)\nFOR LV0 = 0 TO 3\nLA0(LV0) = LV0 * 2 + P0\nIF (LV0 > 1) THEN GOSUB Sub : PRINT LV0\nNEXT\n\
+        let text = "DIM LV(3)\nDIM LA(1) : DIM LA0(4)\nFOR LV0 = 0 TO 3\nLA0(LV0) = LV0 * 2 + P0\n\
+            IF (LV0 > 1) THEN GOSUB Sub : PRINT LV0\nNEXT\n\
                     WHILE (LV1 < 9)\nLV1 = LV1 + 1\nWEND\nX(LV1) Y/2\nEND\n_Sub\nP1 = SQRT(P0 + 2)\nRETURN";
         let mut unit = support::image(text, true).programs.remove(0);
         let index = place.index(unit.words.len());

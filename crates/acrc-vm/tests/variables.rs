@@ -8,28 +8,33 @@ use support::{Machine, output};
 
 #[test]
 fn values_take_the_type_of_their_variable() {
-    let program = "DIM LV(2)\nDIM SV(1)\nDIM DV(1)\nDIM $V(1,4)\nLV0 = 2.9\nLV1 = -2.9\nSV0 = 0.1\nDV0 = 1/3\n$V0 = \"abcdef\"\n\
+    let program = "DIM LV(2)\nDIM SV(1)\nDIM DV(1)\nDIM $V(1,4)\nLV0 = 2.9\nLV1 = -2.9\nSV0 = 0.1\nDV0 = 1/3\n\
+        $V0 = \"abcdef\"\n\
                    PRINT LV0; \" \"; LV1; \" \"; SV0; \" \"; DV0; \" \"; $V0";
     assert_eq!(output(program), "2 -2 0.1 0.333333333333333 abcd\r\n");
 }
 
 #[test]
 fn a_long_keeps_the_bits_of_an_unsigned_number() {
-    let program = "DIM LV(4)\nLV0 = 4294967295\nLV1 = 2147483648.0\nLV2 = 1e20\nLV3 = -1e20\nPRINT LV0; \" \"; LV1; \" \"; LV2; \" \"; LV3";
+    let program = "DIM LV(4)\nLV0 = 4294967295\nLV1 = 2147483648.0\nLV2 = 1e20\nLV3 = -1e20\n\
+        PRINT LV0; \" \"; LV1; \" \"; LV2; \" \"; LV3";
     assert_eq!(output(program), "-1 -2147483648 2147483647 -2147483648\r\n");
 }
 
 #[test]
 fn arrays_of_every_class() {
-    let program = "DIM LA(2)\nDIM SA(1)\nDIM DA(1)\nDIM $A(1)\nDIM LA1(3)\nDIM SA0(2)\nDIM DA0(2)\nDIM $A0(2,3)\nDIM LV(1)\nLV0 = 1\n\
-                   LA1(2) = 7.5\nLA1(LV0) = LA1(2) + LV0\nSA0(LV0) = 0.1\nDA0(0) = SA0(1) * 2\n$A0(1) = \"word\"\n$A0(0) = $A0(1) + \"!\"\n\
+    let program = "DIM LA(2)\nDIM SA(1)\nDIM DA(1)\nDIM $A(1)\nDIM LA1(3)\nDIM SA0(2)\nDIM DA0(2)\n\
+        DIM $A0(2,3)\nDIM LV(1)\nLV0 = 1\n\
+                   LA1(2) = 7.5\nLA1(LV0) = LA1(2) + LV0\nSA0(LV0) = 0.1\nDA0(0) = SA0(1) * 2\n\
+                       $A0(1) = \"word\"\n$A0(0) = $A0(1) + \"!\"\n\
                    PRINT LA1(1); LA(LV0)(2); \" \"; SA0(1); \" \"; DA0(0); \" \"; $A0(0); $A0(1)";
     assert_eq!(output(program), "87 0.1 0.200000002980232 worwor\r\n");
 }
 
 #[test]
 fn variables_by_computed_number() {
-    let program = "DIM LV(3)\nDIM DV(2)\nDIM SV(2)\nDIM $V(2,5)\nLV0 = 1\nLV(LV0 + 1) = 5\nDV(LV0) = 1.5\nSV(LV0) = 0.1\n$V(LV0) = \"x\"\n\
+    let program = "DIM LV(3)\nDIM DV(2)\nDIM SV(2)\nDIM $V(2,5)\nLV0 = 1\nLV(LV0 + 1) = 5\nDV(LV0) = 1.5\n\
+        SV(LV0) = 0.1\n$V(LV0) = \"x\"\n\
                    PRINT LV2; LV(2); DV1; DV(LV0); SV(LV0); $V(LV0) + $V1";
     assert_eq!(output(program), "551.51.50.1xx\r\n");
 }

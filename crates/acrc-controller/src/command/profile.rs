@@ -7,6 +7,7 @@ use acrc_vm::{Call, Outcome};
 use super::arguments::scalar;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::master::Master;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::ACC, Action::Run(profile_value)),
@@ -26,34 +27,42 @@ pub(super) const COMMANDS: &[Entry] = &[
 /// Units per minute of `F` in the units per second of `VEL`.
 const SECONDS_PER_MINUTE: f64 = 60.0;
 
+/// `VEL 5` sets, `VEL` reports.
 fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let index = context.master(call)?;
-    let command = call.command.info().name;
-    let value = scalar(call)?;
-    if let Some(value) = value.filter(|value| *value < 0.0) {
-        return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
-    }
     let master = &mut context.machine.masters[index];
-    let reported = match (call.command, value) {
-        (command::FOV, None) => master.profiler.feedrate_override(),
-        (command::FOV, Some(value)) => {
-            master.profiler.set_feedrate_override(value).map_err(refused)?;
-            return Ok(Outcome::Done);
+    match scalar(call)? {
+        None => {
+            let value = current(master, call.command);
+            context.report(value);
         }
-        (command::VECTOR, None) => master.vector,
-        (command::VECTOR, Some(value)) => {
-            master.profiler.set_vector(value).map_err(refused)?;
-            master.vector = value;
-            return Ok(Outcome::Done);
+        Some(value) if value < 0.0 => {
+            let command = call.command.info().name;
+            return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
         }
-        (_, None) => *setting(&mut master.settings, call.command) * per_setting(call.command),
-        (_, Some(value)) => {
-            *setting(&mut master.settings, call.command) = value / per_setting(call.command);
-            return Ok(Outcome::Done);
-        }
-    };
-    context.report(reported);
+        Some(value) => change(master, call.command, value).map_err(refused)?,
+    }
     Ok(Outcome::Done)
+}
+
+fn current(master: &mut Master, command: CommandId) -> f64 {
+    match command {
+        command::FOV => master.profiler.feedrate_override(),
+        command::VECTOR => master.vector,
+        _ => *setting(&mut master.settings, command) * per_setting(command),
+    }
+}
+
+fn change(master: &mut Master, command: CommandId, value: f64) -> Result<(), SettingError> {
+    match command {
+        command::FOV => master.profiler.set_feedrate_override(value)?,
+        command::VECTOR => {
+            master.profiler.set_vector(value)?;
+            master.vector = value;
+        }
+        _ => *setting(&mut master.settings, command) = value / per_setting(command),
+    }
+    Ok(())
 }
 
 /// Units of the command for each unit of the setting.

@@ -2,7 +2,8 @@
 
 use crate::value::Value;
 
-/// Whole numbers below this print all their digits; it is the largest power of ten below which a 64-bit number has 15 digits.
+/// Whole numbers below this print all their digits; it is the largest power of ten below which a 64-bit number has 15
+/// digits.
 const WHOLE_LIMIT: f64 = 1e15;
 
 /// Significant digits of a 32-bit floating point number.

@@ -1,7 +1,8 @@
 //! `PRINT USING`: a picture of digits for the numbers of a line.
 //!
-//! The guide shows the picture `##` only. Read here: each `#` is a place for a digit, a point among them starts the decimals, the number stands at the right and
-//! blanks fill the places in front of it. A number that needs more places than the picture has is printed in full, so that no digit is ever lost.
+//! The guide shows the picture `##` only. Read here: each `#` is a place for a digit, a point among them starts the
+//! decimals, the number stands at the right and blanks fill the places in front of it. A number that needs more places
+//! than the picture has is printed in full, so that no digit is ever lost.
 
 use crate::value::Value;
 
@@ -15,7 +16,8 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Takes a picture apart. Text without any `#` has no place for a number; the number is then printed behind it as without a picture.
+    /// Takes a picture apart. Text without any `#` has no place for a number; the number is then printed behind it as
+    /// without a picture.
     pub fn new(picture: &[u8]) -> Self {
         let is_place = |byte: &u8| matches!(byte, b'#' | b'.');
         let start = picture.iter().position(is_place).unwrap_or(picture.len());

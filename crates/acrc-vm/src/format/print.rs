@@ -22,11 +22,12 @@ pub struct Printed {
 
 /// Formats the arguments of a `PRINT`.
 ///
-/// A comma between items becomes a tab, a semicolon nothing; either of them at the end keeps the line open. After `USING` every number of
-/// the statement is printed in the picture, strings as they are.
+/// A comma between items becomes a tab, a semicolon nothing; either of them at the end keeps the line open. After
+/// `USING` every number of the statement is printed in the picture, strings as they are.
 ///
 /// # Errors
-/// [`FaultKind::TextExpected`] for a picture that is not a string, [`FaultKind::Argument`] for an argument that cannot be printed.
+/// [`FaultKind::TextExpected`] for a picture that is not a string, [`FaultKind::Argument`] for an argument that cannot
+/// be printed.
 pub fn print_line(arguments: &[Arg]) -> Result<Printed, FaultKind> {
     let mut printed = Printed { device: DEFAULT_DEVICE, bytes: Vec::new() };
     let mut picture = None;

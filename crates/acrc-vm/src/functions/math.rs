@@ -1,7 +1,7 @@
 //! Functions of one number.
 //!
-//! The angle unit of the trigonometric functions is documented nowhere; radians are assumed and degrees can be chosen. Results come from the
-//! floating point library of the platform.
+//! The angle unit of the trigonometric functions is documented nowhere; radians are assumed and degrees can be chosen.
+//! Results come from the floating point library of the platform.
 
 use acrc_catalog::{FunctionId, function};
 

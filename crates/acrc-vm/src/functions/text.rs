@@ -1,6 +1,7 @@
 //! Functions that take or give strings.
 //!
-//! Places in a string count from 1. What reaches beyond a string is cut at its ends; a negative length and a place before 1 are faults.
+//! Places in a string count from 1. What reaches beyond a string is cut at its ends; a negative length and a place
+//! before 1 are faults.
 
 use acrc_catalog::{FunctionId, function};
 

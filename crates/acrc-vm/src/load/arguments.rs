@@ -1,7 +1,7 @@
 //! The arguments of commands: which operands are read and which are named.
 //!
-//! `VEL P0` reads P0; `PLS0 SRC P12288`, `IHPOS P12290 (100, 5)` and `INPUT LV0` name their operand. Where a command takes a source, an operand in
-//! parentheses is read after all.
+//! `VEL P0` reads P0; `PLS0 SRC P12288`, `IHPOS P12290 (100, 5)` and `INPUT LV0` name their operand. Where a command
+//! takes a source, an operand in parentheses is read after all.
 
 use acrc_catalog::{OperandClass, Shape, UnaryOperator};
 use acrc_image::{Instruction, Item, Mark, Node};

@@ -1,7 +1,7 @@
 //! The blocks of a program: which statement closes, divides or leaves which (guide, "Program Flow").
 //!
-//! Blocks are matched by their nesting in the text, once, at load. Nothing about them remains at run time, so a `GOTO` into or out of a block cannot
-//! leave one open.
+//! Blocks are matched by their nesting in the text, once, at load. Nothing about them remains at run time, so a `GOTO`
+//! into or out of a block cannot leave one open.
 
 use acrc_catalog::{CommandId, command};
 use acrc_image::{Instruction, Mark, Separator};

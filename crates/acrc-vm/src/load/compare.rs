@@ -1,6 +1,7 @@
 //! Relations and conditions.
 //!
-//! A condition that is one relation becomes a jump that compares; any other is evaluated to a number, and every number but zero is true.
+//! A condition that is one relation becomes a jump that compares; any other is evaluated to a number, and every number
+//! but zero is true.
 
 use acrc_catalog::{OperandClass, UnaryOperator};
 use acrc_image::Node;

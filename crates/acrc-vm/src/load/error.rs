@@ -1,20 +1,28 @@
 //! Why a program cannot be loaded.
 
 use acrc_catalog::CommandId;
-use acrc_image::ImageError;
+use acrc_image::{ImageError, UnitName};
 use thiserror::Error;
 
 use crate::code::Location;
 
 /// A program that cannot be loaded, and the statement at fault.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[error("{kind}")]
+#[error("{}{kind}", place(*unit, location))]
 pub struct LoadError {
     /// What is wrong.
-    #[source]
     pub kind: LoadErrorKind,
-    /// Where.
+    /// In which unit.
+    pub unit: UnitName,
+    /// Where; line 0 when the words could not be read at all.
     pub location: Location,
+}
+
+fn place(unit: UnitName, location: &Location) -> String {
+    match location.source_line() {
+        0 => String::new(),
+        line => format!("{unit}, line {line}: "),
+    }
 }
 
 /// What is wrong with a program.

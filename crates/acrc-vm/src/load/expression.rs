@@ -1,8 +1,8 @@
 //! Expressions (guide, "Parametric Evaluation").
 //!
-//! Types are known at load except for parameters: two longs give a long that wraps at 32 bits, two 32-bit numbers a 32-bit number, everything else 64 bits.
-//! `/` and `**` never give a long. Logical operators, `MOD` and shifts work on longs. A real constant takes part with 32 bits beside a 32-bit
-//! number, else with 64 bits.
+//! Types are known at load except for parameters: two longs give a long that wraps at 32 bits, two 32-bit numbers a
+//! 32-bit number, everything else 64 bits. `/` and `**` never give a long. Logical operators, `MOD` and shifts work on
+//! longs. A real constant takes part with 32 bits beside a 32-bit number, else with 64 bits.
 
 use acrc_catalog::{Confidence, Operator, UnaryOperator};
 use acrc_image::Node;

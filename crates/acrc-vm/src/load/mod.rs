@@ -1,8 +1,9 @@
 //! From the stored form to the register form.
 //!
-//! Everything that does not change is settled here, once: types, constants, addresses of jumps, the nesting of blocks, aliases, the form of
-//! arguments. What is certain to fail only when it is reached (a string where a number belongs, a jump to a line that is not there) becomes an instruction that
-//! raises the fault, because the controller finds such errors at run time too.
+//! Everything that does not change is settled here, once: types, constants, addresses of jumps, the nesting of blocks,
+//! aliases, the form of arguments. What is certain to fail only when it is reached (a string where a number belongs, a
+//! jump to a line that is not there) becomes an instruction that raises the fault, because the controller finds such
+//! errors at run time too.
 
 mod arguments;
 mod arithmetic;
@@ -81,7 +82,8 @@ impl Code {
     /// Verifies and decodes a unit of an image.
     ///
     /// # Errors
-    /// When the words are no program, when blocks do not match, or when a statement cannot be executed whatever happens.
+    /// When the words are no program, when blocks do not match, or when a statement cannot be executed whatever
+    /// happens.
     pub fn load(unit: &Unit, aliases: &[Alias]) -> Result<Self, LoadError> {
         Self::load_with(unit, aliases, LoadOptions::default())
     }
@@ -91,11 +93,11 @@ impl Code {
     /// # Errors
     /// As [`Code::load`].
     pub fn load_with(unit: &Unit, aliases: &[Alias], options: LoadOptions) -> Result<Self, LoadError> {
-        let instructions =
-            unit.decode().map_err(|error| LoadError { kind: error.into(), location: Location::default() })?;
+        let refuse = |kind, location| LoadError { kind, unit: unit.name, location };
+        let instructions = unit.decode().map_err(|error| refuse(error.into(), Location::default()))?;
         let locations = locations(unit, &instructions);
         let at = |place: usize| locations.get(place).copied().unwrap_or_default();
-        let roles = blocks::roles(&instructions).map_err(|(kind, place)| LoadError { kind, location: at(place) })?;
+        let roles = blocks::roles(&instructions).map_err(|(kind, place)| refuse(kind, at(place)))?;
         let labels = (0..).zip(&instructions).filter(|(_, instruction)| instruction.command == command::LABEL);
         let mut loader = Loader {
             aliases,
@@ -119,7 +121,7 @@ impl Code {
         for (place, instruction) in instructions.iter().enumerate() {
             loader.location = at(place);
             loader.begin();
-            loader.statement(place, instruction).map_err(|kind| LoadError { kind, location: at(place) })?;
+            loader.statement(place, instruction).map_err(|kind| refuse(kind, at(place)))?;
         }
         Ok(loader.finish(unit.name, options.angle))
     }

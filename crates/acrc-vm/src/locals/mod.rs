@@ -1,6 +1,7 @@
 //! Local variables of one program, and their memory (guide, "Variable Memory Allocation" and "How Much Memory?").
 //!
-//! They are kept apart from the code of the program, because statements that are typed at the program's prompt use the same variables.
+//! They are kept apart from the code of the program, because statements that are typed at the program's prompt use the
+//! same variables.
 
 mod access;
 mod arrays;
@@ -18,8 +19,9 @@ use crate::text::Text;
 
 /// Local variables and arrays: `LV SV DV $V LA SA DA $A`.
 ///
-/// The first [`SCRATCH`] entries of `longs` and `doubles` belong to the statement that is being executed; `LV0` and `DV0` follow them. So an
-/// instruction addresses a variable and an intermediate result alike, and the check that a variable exists is the check of the slice.
+/// The first [`SCRATCH`] entries of `longs` and `doubles` belong to the statement that is being executed; `LV0` and
+/// `DV0` follow them. So an instruction addresses a variable and an intermediate result alike, and the check that a
+/// variable exists is the check of the slice.
 #[derive(Clone, Debug)]
 pub struct Locals {
     /// Bytes that the program has for variables and calls.
@@ -54,7 +56,8 @@ struct Dimensioned {
 }
 
 impl Locals {
-    /// No variables, and `limit` bytes for variables and calls together: what `DIM PROG` gave the program, less its stored text and its move buffer.
+    /// No variables, and `limit` bytes for variables and calls together: what `DIM PROG` gave the program, less its
+    /// stored text and its move buffer.
     pub fn new(limit: u64) -> Self {
         Self {
             limit,

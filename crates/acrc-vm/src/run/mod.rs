@@ -1,7 +1,8 @@
 //! Running a program.
 //!
-//! [`run`] executes statements until the budget is used up, the program ends, a command has to wait, or something goes wrong, and says which. All state lies in the
-//! frame, the local variables and the host, so a program goes on where it stopped when it is run again.
+//! [`run`] executes statements until the budget is used up, the program ends, a command has to wait, or something goes
+//! wrong, and says which. All state lies in the frame, the local variables and the host, so a program goes on where it
+//! stopped when it is run again.
 
 mod arithmetic;
 mod calls;
@@ -25,7 +26,8 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Statements that one line of a budget of lines may take: far more than a line holds, so that only a loop within one line meets it.
+    /// Statements that one line of a budget of lines may take: far more than a line holds, so that only a loop within
+    /// one line meets it.
     const STATEMENTS_PER_LINE: u32 = 256;
 
     /// A number of lines, as the scheduler of a controller grants them.

@@ -1,7 +1,7 @@
 //! The loop that executes instructions.
 //!
-//! It holds the files as slices, so it must not change their lengths: what does (`DIM`, `CLEAR`) and what is rare or large anyway leaves it
-//! and is executed in [`super::slow`].
+//! It holds the files as slices, so it must not change their lengths: what does (`DIM`, `CLEAR`) and what is rare or
+//! large anyway leaves it and is executed in [`super::slow`].
 
 use acrc_catalog::OperandClass;
 
@@ -16,7 +16,8 @@ use crate::locals::{Locals, round_to_single};
 use crate::op::{Op, SCRATCH, Slot};
 use crate::value::{Value, double_to_long};
 
-/// Executes instructions until one of them needs the whole machine. The frame then points at that instruction; on a fault, at the one at fault.
+/// Executes instructions until one of them needs the whole machine. The frame then points at that instruction; on a
+/// fault, at the one at fault.
 #[expect(
     clippy::too_many_lines,
     reason = "one arm an instruction; taking them apart would cost the dispatch that the loop is there to avoid"

@@ -52,7 +52,7 @@ pub(super) fn groups(command: &Command) -> Vec<Group<'_>> {
                 groups.push(Group { row, span: expr.span, axis: None, values: values(argument) });
             }
             Argument::Tuple(tuple) => {
-                groups.push(Group { row, span: tuple.span, axis: None, values: values(argument) })
+                groups.push(Group { row, span: tuple.span, axis: None, values: values(argument) });
             }
             Argument::Interpolation(id, _) => row = id.info(),
             _ => {}

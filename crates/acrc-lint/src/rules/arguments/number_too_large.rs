@@ -27,9 +27,9 @@ const LOWEST: u64 = 1 << 31;
 
 fn check(context: &mut Context<'_>, expr: &Expr) {
     let too_large = match &expr.kind {
-        ExprKind::Integer(value) => *value > u64::from(u32::MAX),
+        ExprKind::Integer(value) => u32::try_from(*value).is_err(),
         ExprKind::Unary(UnaryOperator::Minus, inner) => {
-            matches!(inner.kind, ExprKind::Integer(value) if value > LOWEST && value <= u64::from(u32::MAX))
+            matches!(inner.kind, ExprKind::Integer(value) if value > LOWEST && u32::try_from(value).is_ok())
         }
         _ => false,
     };

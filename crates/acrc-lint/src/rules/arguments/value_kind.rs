@@ -39,7 +39,9 @@ impl ValueKind {
     /// What `expr` gives; `None` when that can't be told.
     pub(super) fn of(context: &Context<'_>, expr: &Expr) -> Option<Self> {
         match &expr.kind {
-            ExprKind::Integer(_) | ExprKind::Real(_) | ExprKind::Unary(..) => Some(Self::Number),
+            // Only a sum can be a text.
+            ExprKind::Binary(Operator::Add, _, sides) => Self::of(context, &sides[0]),
+            ExprKind::Integer(_) | ExprKind::Real(_) | ExprKind::Unary(..) | ExprKind::Binary(..) => Some(Self::Number),
             ExprKind::String(_) => Some(Self::Text),
             ExprKind::Operand(operand) => Some(Self::of_class(operand.class)),
             ExprKind::Alias => match context.alias(expr.span)? {
@@ -52,9 +54,6 @@ impl ValueKind {
                 AliasFact::Undefined { .. } => None,
             },
             ExprKind::Paren(inner) => Self::of(context, inner),
-            // Only a sum can be a text.
-            ExprKind::Binary(Operator::Add, _, sides) => Self::of(context, &sides[0]),
-            ExprKind::Binary(..) => Some(Self::Number),
             ExprKind::Call(function, _) => Self::of_type(function.info().result),
             ExprKind::Error => None,
         }

@@ -1,0 +1,200 @@
+//! Runs program text on a controller and keeps what it produced.
+
+use std::sync::Arc;
+
+use acrc_compile::{SourceUnit, compile};
+use acrc_controller::world::{World, WorldEvent};
+use acrc_controller::{Controller, FaultReport, Observer, Options, Stopped, View};
+use acrc_image::Image;
+use acrc_syntax::units::Level;
+
+/// Attaches X and Y to program 0 and gives its master round numbers: a move of 10 units takes 1.1 seconds.
+pub(crate) const TWO_AXES: &str = "SYS\nDIM P(10)\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n\
+                                   ACC 100 DEC 100 STP 100 VEL 10\n";
+
+/// A run to be made.
+pub(crate) struct Sim {
+    text: String,
+    start: Vec<u8>,
+    until: f64,
+    world: String,
+    seed: u64,
+    model: &'static str,
+    watched: bool,
+}
+
+impl Sim {
+    /// A project of one file, entered at the system prompt. Nothing is started but by the text itself.
+    pub(crate) fn new(text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            start: Vec::new(),
+            until: 60.0,
+            world: String::new(),
+            seed: 0,
+            model: "ACR9000",
+            watched: true,
+        }
+    }
+
+    /// Program 0 with the axes X and Y, started.
+    pub(crate) fn program(body: &str) -> Self {
+        Self::new(&format!("{TWO_AXES}PROGRAM\n{body}\nENDP\n")).start(&[0])
+    }
+
+    pub(crate) fn start(mut self, programs: &[u8]) -> Self {
+        self.start = programs.to_vec();
+        self
+    }
+
+    pub(crate) fn until(mut self, seconds: f64) -> Self {
+        self.until = seconds;
+        self
+    }
+
+    pub(crate) fn world(mut self, world: &str) -> Self {
+        world.clone_into(&mut self.world);
+        self
+    }
+
+    pub(crate) fn seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    pub(crate) fn model(mut self, model: &'static str) -> Self {
+        self.model = model;
+        self
+    }
+
+    /// Whether the observer is shown every tick.
+    pub(crate) fn watched(mut self, watched: bool) -> Self {
+        self.watched = watched;
+        self
+    }
+
+    pub(crate) fn image(&self) -> Image {
+        let tree = acrc_syntax::parse(&self.text);
+        let unit = SourceUnit {
+            name: "test.8K",
+            text: &self.text,
+            tree: &tree,
+            start: Level::System,
+            implicit_program: false,
+        };
+        compile(&[unit], self.model).unwrap_or_else(|errors| panic!("{}\n{errors:#?}", self.text))
+    }
+
+    pub(crate) fn run(&self) -> Ran {
+        let world = World::parse(&self.world).expect("the world of a test is valid");
+        let options = Options { world, seed: self.seed };
+        let mut controller = Controller::new(Arc::new(self.image()), options).expect("compiled programs load");
+        let mut record = Record { watched: self.watched, ..Record::default() };
+        let stopped = controller.run(&self.start, self.until, &mut record);
+        Ran { controller, stopped, record }
+    }
+
+    /// The lines printed, without time and source.
+    pub(crate) fn prints(&self) -> Vec<String> {
+        self.run().clean().record.output.into_iter().map(|line| line.text).collect()
+    }
+
+    /// The lines printed, behind their time in milliseconds.
+    pub(crate) fn timed(&self) -> Vec<String> {
+        let ran = self.run().clean();
+        ran.record.output.into_iter().map(|line| format!("{} {}", line.milliseconds, line.text)).collect()
+    }
+
+    /// The messages of all faults.
+    pub(crate) fn faults(&self) -> Vec<String> {
+        self.run().record.faults.into_iter().map(|fault| fault.message).collect()
+    }
+}
+
+/// A line of output.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Line {
+    pub(crate) milliseconds: f64,
+    pub(crate) program: Option<u8>,
+    pub(crate) device: i32,
+    pub(crate) text: String,
+}
+
+/// What a run produced.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Record {
+    pub(crate) output: Vec<Line>,
+    pub(crate) faults: Vec<FaultReport>,
+    /// Milliseconds and note of each event of the world.
+    pub(crate) events: Vec<(f64, String)>,
+    pub(crate) ticks: u64,
+    watched: bool,
+}
+
+impl Observer for Record {
+    fn output(&mut self, seconds: f64, program: Option<u8>, device: i32, text: &str) {
+        let text = text.strip_suffix("\r\n").unwrap_or(text).to_owned();
+        self.output.push(Line { milliseconds: milliseconds(seconds), program, device, text });
+    }
+
+    fn fault(&mut self, fault: &FaultReport) {
+        self.faults.push(fault.clone());
+    }
+
+    fn event(&mut self, seconds: f64, event: &WorldEvent, _: &View) {
+        self.events.push((milliseconds(seconds), event.note.clone().unwrap_or_default()));
+    }
+
+    fn tick(&mut self, _: &View) {
+        self.ticks += 1;
+    }
+
+    fn watches_every_tick(&self) -> bool {
+        self.watched
+    }
+}
+
+/// Rounded to a tenth of a microsecond, so that a test can write the number down.
+fn milliseconds(seconds: f64) -> f64 {
+    (seconds * 1e7).round() / 1e4
+}
+
+/// A run that is over.
+pub(crate) struct Ran {
+    pub(crate) controller: Controller,
+    pub(crate) stopped: Stopped,
+    pub(crate) record: Record,
+}
+
+impl Ran {
+    /// The same run, which had no fault.
+    #[track_caller]
+    pub(crate) fn clean(self) -> Self {
+        assert!(self.record.faults.is_empty(), "{:#?}", self.record.faults);
+        self
+    }
+
+    /// Position of an axis in units, to a millionth.
+    pub(crate) fn position(&self, axis: u8) -> f64 {
+        (self.controller.view().position(axis) * 1e6).round() / 1e6
+    }
+
+    /// State of a flag.
+    pub(crate) fn bit(&self, number: i64) -> bool {
+        self.controller.bit(number).expect("a flag that exists")
+    }
+
+    /// A parameter as a number.
+    pub(crate) fn parameter(&self, number: i64) -> f64 {
+        self.controller.parameter(number).expect("a parameter that exists").to_f64().expect("a number")
+    }
+
+    /// The end of the run in milliseconds.
+    pub(crate) fn milliseconds(&self) -> f64 {
+        milliseconds(self.controller.seconds())
+    }
+
+    pub(crate) fn notes(&self) -> Vec<String> {
+        self.controller.notes().map(str::to_owned).collect()
+    }
+}
