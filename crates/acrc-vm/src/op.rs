@@ -2,9 +2,11 @@
 //!
 //! An expression becomes instructions with up to three operands, each a slot in a file of its type: 32-bit integers,
 //! 64-bit floating point numbers, and values whose type is known only at run time (parameters) or that are strings.
-//! Local variables `LV` and `DV` lie in the first two files behind the scratch slots of the running statement. A 32-bit
-//! floating point number travels in the file of 64-bit numbers, rounded to 32 bits where the language rounds it: for `+
-//! - * /` of two such numbers that gives the same result as computing with 32 bits.
+//! Local variables `LV` and `DV` lie in the first two files behind the scratch slots of the running statement.
+//!
+//! A 32-bit floating point number travels in the file of 64-bit numbers, rounded to 32 bits where the language rounds
+//! it. For a sum, difference, product or quotient of two such numbers that gives the same result as computing with
+//! 32 bits.
 
 use acrc_catalog::OperandClass;
 

@@ -87,24 +87,27 @@ impl<'t> Reader<'t> {
     }
 
     /// Number of tokens that the name at the next token has: a word and the letters, digits and underscores that touch
-    /// it (`LOOP1`, `Cycle2Start`).
+    /// it (`LOOP1`, `Cycle2Start`). A name of very many pieces is not followed to its end: whoever looks ahead from
+    /// each of them would read the line over and over.
     pub(super) fn name_length(&self) -> usize {
+        const REACH: usize = 32;
         let mut end = self.peek().span.end;
-        let mut length = 1;
-        loop {
+        for length in 1..REACH {
             let next = self.peek_at(length);
             if next.span.start != end || !self.continues_name(next) {
                 return length;
             }
             end = next.span.end;
-            length += 1;
         }
+        REACH
     }
 
     /// Takes the name at the next token.
     pub(super) fn name(&mut self) -> Span {
-        let start = self.peek().span.start;
-        self.skip(self.name_length());
+        let start = self.bump().span.start;
+        while self.touches(self.peek()) && self.continues_name(self.peek()) {
+            self.bump();
+        }
         Span::new(start, self.consumed_to())
     }
 

@@ -1,7 +1,7 @@
 //! Functions of one number.
 //!
 //! The angle unit of the trigonometric functions is documented nowhere; radians are assumed and degrees can be chosen.
-//! Results come from the floating point library of the platform.
+//! Results come from one software library on every machine, so that a run gives the same bytes everywhere.
 
 use acrc_catalog::{FunctionId, function};
 
@@ -57,31 +57,31 @@ macro_rules! math_functions {
 }
 
 math_functions! {
-    Sin = SIN "SIN" Argument |x| x.sin();
-    Cos = COS "COS" Argument |x| x.cos();
-    Tan = TAN "TAN" Argument |x| x.tan();
-    Cot = COT "COT" Argument |x| 1.0 / x.tan();
-    Asin = ASIN "ASIN" Result |x| x.asin();
-    Acos = ACOS "ACOS" Result |x| x.acos();
-    Atan = ATAN "ATAN" Result |x| x.atan();
-    Acot = ACOT "ACOT" Result |x| std::f64::consts::FRAC_PI_2 - x.atan();
-    Sinh = SINH "SINH" None |x| x.sinh();
-    Cosh = COSH "COSH" None |x| x.cosh();
-    Tanh = TANH "TANH" None |x| x.tanh();
-    Coth = COTH "COTH" None |x| 1.0 / x.tanh();
-    Asinh = ASINH "ASINH" None |x| x.asinh();
-    Acosh = ACOSH "ACOSH" None |x| x.acosh();
-    Atanh = ATANH "ATANH" None |x| x.atanh();
-    Acoth = ACOTH "ACOTH" None |x| x.recip().atanh();
+    Sin = SIN "SIN" Argument |x| libm::sin(x);
+    Cos = COS "COS" Argument |x| libm::cos(x);
+    Tan = TAN "TAN" Argument |x| libm::tan(x);
+    Cot = COT "COT" Argument |x| 1.0 / libm::tan(x);
+    Asin = ASIN "ASIN" Result |x| libm::asin(x);
+    Acos = ACOS "ACOS" Result |x| libm::acos(x);
+    Atan = ATAN "ATAN" Result |x| libm::atan(x);
+    Acot = ACOT "ACOT" Result |x| std::f64::consts::FRAC_PI_2 - libm::atan(x);
+    Sinh = SINH "SINH" None |x| libm::sinh(x);
+    Cosh = COSH "COSH" None |x| libm::cosh(x);
+    Tanh = TANH "TANH" None |x| libm::tanh(x);
+    Coth = COTH "COTH" None |x| 1.0 / libm::tanh(x);
+    Asinh = ASINH "ASINH" None |x| libm::asinh(x);
+    Acosh = ACOSH "ACOSH" None |x| libm::acosh(x);
+    Atanh = ATANH "ATANH" None |x| libm::atanh(x);
+    Acoth = ACOTH "ACOTH" None |x| libm::atanh(1.0 / x);
     Ceil = CEIL "CEIL" None |x| x.ceil();
     Floor = FLOOR "FLOOR" None |x| x.floor();
     // The rule for halves is unknown: away from zero, as taught in school.
     Round = ROUND "ROUND" None |x| x.round();
     Trunc = TRUNC "TRUNC" None |x| x.trunc();
-    Ln = LN "LN" None |x| x.ln();
-    Log = LOG "LOG" None |x| x.log10();
+    Ln = LN "LN" None |x| libm::log(x);
+    Log = LOG "LOG" None |x| libm::log10(x);
     Sqrt = SQRT "SQRT" None |x| x.sqrt();
-    Exp = EXP "EXP" None |x| x.exp();
+    Exp = EXP "EXP" None |x| libm::exp(x);
 }
 
 impl Math {
@@ -113,7 +113,7 @@ pub(crate) fn power(base: f64, exponent: f64) -> Result<f64, FaultKind> {
     let result = if exponent.trunc() == exponent && exponent.abs() <= MULTIPLIED_EXPONENT {
         multiplied(base, exponent)
     } else {
-        base.powf(exponent)
+        libm::pow(base, exponent)
     };
     if result.is_nan() {
         return Err(FaultKind::Domain { function: "**", argument: base });

@@ -19,7 +19,7 @@ use crate::text::Text;
 
 /// Local variables and arrays: `LV SV DV $V LA SA DA $A`.
 ///
-/// The first [`SCRATCH`] entries of `longs` and `doubles` belong to the statement that is being executed; `LV0` and
+/// The first entries of the files of longs and doubles belong to the statement that is being executed; `LV0` and
 /// `DV0` follow them. So an instruction addresses a variable and an intermediate result alike, and the check that a
 /// variable exists is the check of the slice.
 #[derive(Clone, Debug)]

@@ -26,7 +26,8 @@ pub(super) fn slow<H: Host>(
             match ask(host, query, device)? {
                 Some(value) => set(frame, to, value),
                 None => {
-                    // The whole statement is evaluated again when a character may have come.
+                    // The whole statement is evaluated again when a character may have come: the scratch slots may serve an immediate
+                    // statement in between. A character that an earlier GETCH of the same statement took is lost.
                     frame.pc = code.statement_start(frame.pc);
                     return Ok(Some(Stop::Blocked));
                 }
@@ -38,6 +39,24 @@ pub(super) fn slow<H: Host>(
             let value = function.evaluate(arguments)?;
             set(frame, to, value);
         }
+        Op::LoadVariable { .. } | Op::StoreVariable { .. } | Op::LoadElement { .. } | Op::StoreElement { .. } => {
+            variable(*op, frame, locals)?;
+        }
+        Op::Dim { block, array, count, length } => {
+            let sizes =
+                Sizes { array: long(locals, array)?, count: long(locals, count)?, length: long(locals, length)? };
+            locals.dimension(block, sizes, frame.memory())?;
+        }
+        Op::Clear => locals.clear(),
+        _ => {}
+    }
+    frame.pc += 1;
+    Ok(None)
+}
+
+/// A variable or element through the file of values.
+fn variable(op: Op, frame: &mut Frame, locals: &mut Locals) -> Result<(), FaultKind> {
+    match op {
         Op::LoadVariable { class, to, index } => {
             let value = locals.read_variable(class, i64::from(long(locals, index)?))?;
             set(frame, to, value);
@@ -55,16 +74,9 @@ pub(super) fn slow<H: Host>(
             let (array, element) = (i64::from(long(locals, array)?), i64::from(long(locals, element)?));
             locals.write_element(class, array, element, value(frame, from)?)?;
         }
-        Op::Dim { block, array, count, length } => {
-            let sizes =
-                Sizes { array: long(locals, array)?, count: long(locals, count)?, length: long(locals, length)? };
-            locals.dimension(block, sizes, frame.memory())?;
-        }
-        Op::Clear => locals.clear(),
         _ => {}
     }
-    frame.pc += 1;
-    Ok(None)
+    Ok(())
 }
 
 /// Asks a device. `None` when there is nothing yet to wait for.
