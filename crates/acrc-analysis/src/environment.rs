@@ -2,6 +2,7 @@
 //! so an edit is felt only where it matters.
 
 use acrc_syntax::units::Level;
+use rustc_hash::FxHashMap;
 
 use crate::index::{AliasOperand, Exports, Name};
 use crate::near::nearest;
@@ -10,7 +11,7 @@ use crate::symbols::{AliasSymbol, AxisTable, Conflict, Symbols};
 /// The part of the project's symbols that one file uses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Environment {
-    aliases: Vec<(Name, AliasFact)>,
+    aliases: FxHashMap<Name, AliasFact>,
     axes: Vec<(Level, AxisTable)>,
     /// Attachments of this file that contradict an earlier one.
     pub conflicts: Vec<Conflict>,
@@ -48,9 +49,7 @@ pub enum DefinedIn {
 
 impl Environment {
     pub(crate) fn new(file: u32, exports: &Exports, symbols: &Symbols, name_of: impl Fn(u32) -> Name) -> Self {
-        let mut names: Vec<&Name> = exports.uses.iter().chain(exports.aliases.iter().map(|(name, _)| name)).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = exports.uses.iter().chain(exports.aliases.iter().map(|(name, _)| name));
         let fact = |name: &Name| match symbols.alias(name) {
             Some(symbol) => AliasFact::Defined {
                 operand: symbol.operand.clone(),
@@ -63,7 +62,7 @@ impl Environment {
             None => AliasFact::Undefined { near: near(name, &symbols.aliases) },
         };
         Self {
-            aliases: names.into_iter().map(|name| (name.clone(), fact(name))).collect(),
+            aliases: names.map(|name| (name.clone(), fact(name))).collect(),
             axes: symbols.axes.iter().filter(|(level, _)| exports.levels.contains(level)).cloned().collect(),
             conflicts: symbols.conflicts.iter().filter(|conflict| conflict.file == file).cloned().collect(),
             fragment: symbols.fragment,
@@ -73,8 +72,7 @@ impl Environment {
 
     /// What is known of `name`. `None` for a name that the file neither uses nor defines.
     pub fn alias(&self, name: &str) -> Option<&AliasFact> {
-        let at = self.aliases.binary_search_by(|(known, _)| (**known).cmp(name)).ok()?;
-        self.aliases.get(at).map(|(_, fact)| fact)
+        self.aliases.get(name)
     }
 
     /// The axis names that are valid at `level`. `None` when nothing attaches an axis there.

@@ -148,6 +148,10 @@ fn links_in_a_circle_end_in_an_error() {
     // Found by its name instead of listed: still an error, because a program would be missing.
     fs::remove_file(place.root.join("acrc.toml")).expect("the description");
     assert!(matches!(place.load(), Err(LoadError::Unreadable { .. })));
+    // Nor is a description passed over that can't be read.
+    let place = Place::new(&[("Prog0.8K", "")]);
+    std::os::unix::fs::symlink("acrc.toml", place.root.join("acrc.toml")).expect("a link");
+    assert!(matches!(place.load(), Err(LoadError::Unreadable { .. })));
 }
 
 #[cfg(unix)]

@@ -1,2 +1,88 @@
-//! placeholder
-fn main() {}
+//! How fast virtual time passes: programs that never wait, and eight axes in coordinated motion.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use acrc_compile::{SourceUnit, compile};
+use acrc_controller::world::WorldEvent;
+use acrc_controller::{Controller, FaultReport, Observer, Options, View};
+use acrc_image::Image;
+use acrc_syntax::units::Level;
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+
+/// Virtual time of each run in seconds.
+const SECONDS: f64 = 10.0;
+
+/// Computes and looks at a flag for ever.
+const POLLING: &str = "SYS\nDIM P(10)\nPROG0\nDIM LV(1)\nDIM DV(1)\nPROGRAM\nWHILE (NOT BIT 128)\nLV0 = LV0 + 1\n\
+                       IF (LV0 MOD 3 = 0) THEN DV0 = DV0 + LV0 * 0.5\nP0 = DV0\nWEND\nENDP\n";
+
+/// Moves eight axes forth and back, each move blended into the next.
+const MOVING: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"A\"\nATTACH SLAVE1 AXIS1 \"B\"\nATTACH SLAVE2 AXIS2 \"C\"\n\
+                      ATTACH SLAVE3 AXIS3 \"D\"\nATTACH SLAVE4 AXIS4 \"E\"\nATTACH SLAVE5 AXIS5 \"G\"\nATTACH SLAVE6 AXIS6 \"H\"\n\
+                      ATTACH SLAVE7 AXIS7 \"I\"\nACC 500 DEC 500 STP 0 VEL 50\nPROGRAM\n_Again\n\
+                      A/10 B/5 C/4 D/3 E/2 G/1 H/7 I/6\nA/-10 B/-5 C/-4 D/-3 E/-2 G/-1 H/-7 I/-6\nGOTO Again\nENDP\n";
+
+/// Waits, mostly.
+const WAITING: &str = "PROG0\nPROGRAM\n_Again\nDWL 0.1\nBIT 32 = NOT BIT 32\nGOTO Again\nENDP\n";
+
+/// Sees nothing.
+struct Blind {
+    every_tick: bool,
+}
+
+impl Observer for Blind {
+    fn output(&mut self, _: f64, _: Option<u8>, _: i32, _: &str) {}
+    fn fault(&mut self, fault: &FaultReport) {
+        panic!("{fault}");
+    }
+    fn event(&mut self, _: f64, _: &WorldEvent, _: &View) {}
+    fn tick(&mut self, _: &View) {}
+    fn watches_every_tick(&self) -> bool {
+        self.every_tick
+    }
+}
+
+fn image(text: &str) -> Arc<Image> {
+    let tree = acrc_syntax::parse(text);
+    let file = SourceUnit { name: "bench", text, tree: &tree, start: Level::System, implicit_program: false };
+    Arc::new(compile(&[file], "ACR9000").expect("the program compiles"))
+}
+
+/// Runs program 0 and gives the number of its statements.
+fn run(image: &Arc<Image>, every_tick: bool) -> u64 {
+    let mut controller = Controller::new(Arc::clone(image), Options::default()).expect("it loads");
+    controller.run(&[0], SECONDS, &mut Blind { every_tick });
+    controller.programs().iter().map(|program| program.statements).sum()
+}
+
+/// The best of several runs, as the machine may be busy with other things.
+fn best(image: &Arc<Image>, every_tick: bool) -> Duration {
+    let once = || {
+        let start = Instant::now();
+        run(image, every_tick);
+        start.elapsed()
+    };
+    (0..10).map(|_| once()).min().unwrap_or_default()
+}
+
+fn virtual_time(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("ten_seconds");
+    for (name, text, every_tick) in [("polling", POLLING, false), ("moving", MOVING, false), ("waiting", WAITING, true)]
+    {
+        let image = image(text);
+        let (statements, seconds) = (run(&image, every_tick), best(&image, every_tick).as_secs_f64());
+        println!(
+            "{name}: {:.0} times real time, {:.2} million ticks a second, {:.2} million statements a second",
+            SECONDS / seconds,
+            SECONDS / 0.0005 / seconds / 1e6,
+            statements as f64 / seconds / 1e6,
+        );
+        group.throughput(Throughput::Elements((SECONDS / 0.0005) as u64));
+        group.bench_function(name, |bencher| bencher.iter(|| run(&image, every_tick)));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, virtual_time);
+criterion_main!(benches);

@@ -143,7 +143,6 @@ impl From<ControllerError> for FaultKind {
     fn from(error: ControllerError) -> Self {
         match error {
             ControllerError::Program(kind) => kind,
-            ControllerError::NotSimulated(command) => Self::Unsupported(command),
             other => Self::Controller(other.to_string().into()),
         }
     }

@@ -187,8 +187,8 @@ impl Machine {
         let period = self.clock.period();
         let master = &mut self.masters[index];
         let mut from = [0.0; SLOTS];
-        for (slot, position) in from.iter_mut().enumerate() {
-            *position = master.profiler.position(slot);
+        for (slot, _) in master.attached() {
+            from[slot] = master.profiler.position(slot);
         }
         let advanced = master.profiler.advance(period);
         master.statistics.moves += u64::from(advanced.completed);

@@ -3,7 +3,7 @@
 use acrc_analysis::{SectionIndex, walk};
 use acrc_catalog::command;
 use acrc_syntax::Tree;
-use acrc_syntax::ast::{Argument, Expr, Statement, StatementKind};
+use acrc_syntax::ast::{Argument, Expr, Separator, Statement, StatementKind};
 use acrc_syntax::blocks::Block;
 
 /// What the statements of a section can reach.
@@ -166,9 +166,8 @@ impl<'a> Graph<'a> {
     }
 
     fn first_of_next_line(&self, at: u32) -> u32 {
-        let line = self.tree.line_of(self.start + at);
-        let end = self.tree.lines().get(line as usize).map_or(self.start + self.count, |line| line.statements.end);
-        end.saturating_sub(self.start)
+        let continues = |at: &u32| self.statement(*at).is_some_and(|statement| statement.separator != Separator::Line);
+        (at + 1..self.count).find(|at| !continues(at)).unwrap_or(self.count)
     }
 }
 

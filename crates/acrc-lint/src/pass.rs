@@ -8,7 +8,9 @@ use acrc_syntax::ast::{Expr, Statement};
 
 use crate::Context;
 use crate::registry::RULES;
-use crate::rule::Check;
+use crate::rule::{Check, On};
+
+type CheckExpression = fn(&mut Context<'_>, &Expr);
 
 /// The checks of all rules by the place at which they are asked.
 #[derive(Default)]
@@ -16,7 +18,8 @@ struct Plan {
     file: Vec<fn(&mut Context<'_>)>,
     section: Vec<fn(&mut Context<'_>, &SectionIndex)>,
     statement: Vec<fn(&mut Context<'_>, &Statement)>,
-    expression: Vec<fn(&mut Context<'_>, &Expr)>,
+    /// By [`On`].
+    expression: [Vec<CheckExpression>; 4],
 }
 
 static PLAN: LazyLock<Plan> = LazyLock::new(|| {
@@ -26,7 +29,7 @@ static PLAN: LazyLock<Plan> = LazyLock::new(|| {
             Check::File(check) => plan.file.push(check),
             Check::Section(check) => plan.section.push(check),
             Check::Statement(check) => plan.statement.push(check),
-            Check::Expression(check) => plan.expression.push(check),
+            Check::Expression(on, check) => plan.expression[on as usize].push(check),
         }
     }
     plan
@@ -54,7 +57,8 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
             check(&mut context, statement);
         }
         walk::expressions(statement, &mut |expr| {
-            for check in &plan.expression {
+            let Some(on) = On::of(expr) else { return };
+            for check in &plan.expression[on as usize] {
                 check(&mut context, expr);
             }
         });

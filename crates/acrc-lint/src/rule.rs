@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
-use acrc_syntax::ast::{Expr, Statement};
+use acrc_syntax::ast::{Expr, ExprKind, Statement};
 
 use acrc_analysis::SectionIndex;
 
@@ -67,8 +67,34 @@ pub(crate) enum Check {
     Section(fn(&mut Context<'_>, &SectionIndex)),
     /// At each statement.
     Statement(fn(&mut Context<'_>, &Statement)),
-    /// At each expression, the inner ones included.
-    Expression(fn(&mut Context<'_>, &Expr)),
+    /// At each expression of some kind, the inner ones included.
+    Expression(On, fn(&mut Context<'_>, &Expr)),
+}
+
+/// The kinds of expressions, as rules ask for them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum On {
+    /// Numbers, and signs before something.
+    Number,
+    /// Parameters, bits, variables.
+    Operand,
+    /// Names.
+    Alias,
+    /// Functions and operators with two sides.
+    Compound,
+}
+
+impl On {
+    /// The kind of an expression. Texts, parentheses and what could not be read are nobody's business.
+    pub(crate) fn of(expr: &Expr) -> Option<Self> {
+        match expr.kind {
+            ExprKind::Integer(_) | ExprKind::Real(_) | ExprKind::Unary(..) => Some(Self::Number),
+            ExprKind::Operand(_) => Some(Self::Operand),
+            ExprKind::Alias => Some(Self::Alias),
+            ExprKind::Binary(..) | ExprKind::Call(..) => Some(Self::Compound),
+            ExprKind::String(_) | ExprKind::Paren(_) | ExprKind::Error => None,
+        }
+    }
 }
 
 /// A rule of the registry.

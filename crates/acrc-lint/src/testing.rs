@@ -2,15 +2,28 @@
 
 use acrc_analysis::project::Config;
 use acrc_analysis::{Database, FileRole, Project, SourceFile};
+use acrc_catalog::Model;
 use acrc_diagnostics::{Diagnostic, LineIndex, Severity};
 
 /// The findings in the files of a project, each a name and a text.
 pub(crate) fn lint(files: &[(&str, &str)]) -> Vec<Vec<Diagnostic>> {
+    lint_with(acrc_catalog::default_model(), Config::default(), files)
+}
+
+/// The findings in a single file of a project that names its model.
+pub(crate) fn lint_as(model: &str, text: &str) -> Vec<Diagnostic> {
+    let mut config = Config::default();
+    config.project.model = Some(model.to_owned());
+    let model = acrc_catalog::model(model).expect("a model of the catalogue");
+    lint_with(model, config, &[("test.8K", text)]).concat()
+}
+
+fn lint_with(model: &'static Model, config: Config, files: &[(&str, &str)]) -> Vec<Vec<Diagnostic>> {
     let db = Database::new();
     let inputs = files.iter().map(|(name, text)| {
         SourceFile::new(&db, (*name).to_owned(), (*text).to_owned(), FileRole::of(name), Vec::new())
     });
-    let project = Project::new(&db, inputs.collect(), acrc_catalog::default_model(), Config::default());
+    let project = Project::new(&db, inputs.collect(), model, config);
     crate::check(&db, project).into_iter().map(|(_, found)| found).collect()
 }
 

@@ -11,7 +11,7 @@ use crate::ast::{
 };
 
 /// Writes a tree with one line a node, indented by depth. Places are left out: two texts that differ only in blanks,
-/// case of their words and typographic characters give the same dump.
+/// in the case of commands and in typographic characters give the same dump.
 #[must_use]
 pub fn debug_tree(tree: &Tree, text: &str) -> String {
     let mut dump = Dump { text, out: String::new() };

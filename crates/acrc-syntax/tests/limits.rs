@@ -25,9 +25,7 @@ fn nesting_up_to_the_limit_is_read() {
 
 #[test]
 fn one_line_may_hold_very_many_statements() {
-    for statement in
-        ["X5 ", "SET34 ", "VEL 5 : ", "P0=1 ", "_a ", ": ", "IF (P0) THENP0=1 ", "RES X P0=1 ", "ENDIF ) : "]
-    {
+    for statement in ["X5 ", "SET34 ", "VEL 5 : ", "P0=1 ", "_a ", ": ", "IF (P0) THENP0=1 ", "RES X P0=1 "] {
         let source = statement.repeat(MANY);
         support::checked(&source);
     }

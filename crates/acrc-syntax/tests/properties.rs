@@ -2,6 +2,7 @@
 
 mod support;
 
+use acrc_syntax::ast::{Expr, ExprKind};
 use acrc_syntax::{DecodeError, SourceText, parse, parse_expression};
 use proptest::prelude::*;
 
@@ -150,7 +151,7 @@ proptest! {
     #[test]
     fn any_text_is_read_as_an_expression(text in soup()) {
         let (expression, errors) = parse_expression(&text);
-        let is_broken = expression.kind == acrc_syntax::ast::ExprKind::Error;
+        let is_broken = expression.kind == ExprKind::Error;
         let has_error = errors.iter().any(|error| error.severity == acrc_diagnostics::Severity::Error);
         prop_assert!(!is_broken || has_error);
     }
@@ -242,9 +243,39 @@ proptest! {
     }
 
     #[test]
-    fn an_expression_has_the_value_of_its_parentheses(text in expression()) {
+    fn ranks_of_operators_are_kept(text in expression()) {
         let (expression, errors) = parse_expression(&text);
         prop_assert!(errors.is_empty(), "{}\n{:#?}", text, errors);
-        prop_assert_eq!(expression.span.len() as usize, text.len());
+        prop_assert_eq!(expression.span.range(), 0..text.len());
+        check_ranks(&expression);
+    }
+}
+
+/// Operands and operators follow each other in the order of the text, what binds tighter lies deeper, and equal ranks
+/// lean to the left. There is only one such tree.
+fn check_ranks(expression: &Expr) {
+    let rank = |operand: &Expr| match operand.kind {
+        ExprKind::Binary(operator, ..) => operator.precedence(),
+        _ => 0,
+    };
+    match &expression.kind {
+        ExprKind::Binary(operator, place, operands) => {
+            let [left, right] = &**operands;
+            assert!(left.span.end <= place.start && place.end <= right.span.start);
+            assert!(rank(left) <= operator.precedence() && rank(right) < operator.precedence());
+            check_ranks(left);
+            check_ranks(right);
+        }
+        ExprKind::Unary(operator, operand) => {
+            assert!(expression.span.start < operand.span.start && rank(operand) < operator.precedence());
+            check_ranks(operand);
+        }
+        ExprKind::Paren(inner) => check_ranks(inner),
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(check_ranks),
+        ExprKind::Operand(operand) => {
+            check_ranks(&operand.index);
+            operand.element.iter().for_each(check_ranks);
+        }
+        _ => {}
     }
 }

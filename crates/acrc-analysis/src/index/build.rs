@@ -3,8 +3,9 @@
 use acrc_catalog::{ObjectKind, command};
 use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
-use acrc_syntax::ast::{Argument, Command, Expr, ExprKind, Separator, Statement, StatementKind};
-use acrc_syntax::units::{Section, SectionKind};
+use acrc_syntax::ast::{Argument, Command, Define, Expr, ExprKind, Separator, Statement, StatementKind};
+use acrc_syntax::blocks::Blocks;
+use acrc_syntax::units::{Level, Section, SectionKind};
 use acrc_syntax::{blocks, units};
 use rustc_hash::FxHashSet;
 
@@ -34,39 +35,37 @@ struct Builder<'a> {
     exports: Exports,
 }
 
+/// What the statements of a section share.
+struct Place<'b> {
+    level: Level,
+    sequence: Sequence,
+    blocks: &'b Blocks,
+    /// Set behind a `THEN` for the rest of its line.
+    behind_then: bool,
+}
+
 impl<'a> Builder<'a> {
     fn section(&mut self, section: Section, index: &mut FileIndex) {
-        let ordinal = index.sections.len() as u32;
         let sequence = match section.kind {
             SectionKind::Immediate => Sequence::Immediate,
-            SectionKind::Stored => Sequence::Stored(ordinal),
+            SectionKind::Stored => Sequence::Stored(index.sections.len() as u32),
         };
         self.exports.has_program |= section.opener.is_some();
         self.exports.levels.push(section.level);
 
         let blocks = blocks::match_blocks(self.tree, section.statements.clone());
+        let mut place = Place { level: section.level, sequence, blocks: &blocks, behind_then: false };
         let (mut labels, mut jumps) = (Vec::new(), Vec::new());
-        // Set behind a THEN for the rest of its line.
-        let mut behind_then = false;
         for at in section.statements.clone() {
             let Some(statement) = self.tree.statements().get(at as usize) else { break };
-            behind_then =
-                statement.separator != Separator::Line && (behind_then || statement.separator == Separator::Then);
+            place.behind_then =
+                statement.separator != Separator::Line && (place.behind_then || statement.separator == Separator::Then);
             match &statement.kind {
                 StatementKind::Label(label) => labels.push(LabelSite { name: label.name, statement: at }),
-                StatementKind::Define(define) => {
-                    index.defines.push(DefineSite { name: define.name, operand: define.operand.span });
-                    let operand = AliasOperand::new(self.text, &define.operand);
-                    self.exports.aliases.push((self.slice(define.name).into(), operand));
-                }
+                StatementKind::Define(define) => self.define(define, index),
                 StatementKind::Command(command) => {
                     jumps.extend(jump(at, command));
-                    let conditional = behind_then || blocks.enclosing(at).is_some();
-                    if let Some((kind, site)) = self.attachment(statement, command) {
-                        index.attachments.push(site);
-                        self.exports.attachments.push(Attachment { level: section.level, sequence, conditional, kind });
-                    }
-                    self.exports.switches_level |= [command::PROG, command::PLC, command::SYS].contains(&command.id);
+                    self.command(at, statement, command, &place, index);
                 }
                 _ => {}
             }
@@ -77,6 +76,22 @@ impl<'a> Builder<'a> {
         let mut section = SectionIndex { section, labels, lines, jumps, blocks };
         section.resolve_jumps(self.text);
         index.sections.push(section);
+    }
+
+    fn define(&mut self, define: &Define, index: &mut FileIndex) {
+        index.defines.push(DefineSite { name: define.name, operand: define.operand.span });
+        let operand = AliasOperand::new(self.text, &define.operand);
+        self.exports.aliases.push((self.slice(define.name).into(), operand));
+    }
+
+    fn command(&mut self, at: u32, statement: &Statement, command: &Command, place: &Place<'_>, index: &mut FileIndex) {
+        self.exports.switches_level |= [command::PROG, command::PLC, command::SYS].contains(&command.id);
+        if let Some((kind, site)) = self.attachment(statement, command) {
+            let &Place { level, sequence, blocks, behind_then } = place;
+            let conditional = behind_then || blocks.enclosing(at).is_some();
+            index.attachments.push(site);
+            self.exports.attachments.push(Attachment { level, sequence, conditional, kind });
+        }
     }
 
     fn collect_uses(&mut self, statement: &Statement) {

@@ -60,9 +60,12 @@ pub fn load_from(files: &dyn Files, path: &Utf8Path) -> Result<LoadedProject, Lo
     match kind(files, path)? {
         FileKind::Directory => {
             let config = path.join(CONFIG_NAME);
-            match files.kind(&config) {
-                Ok(FileKind::File { .. }) => from_config(files, &config),
-                _ => from_paths(files, path, Config::default(), discover::in_directory(files, path)?),
+            match kind(files, &config) {
+                Err(LoadError::Missing { .. }) => {
+                    from_paths(files, path, Config::default(), discover::in_directory(files, path)?)
+                }
+                // One that is there and can't be read must not be passed over.
+                _ => from_config(files, &config),
             }
         }
         FileKind::File { .. } if path.file_name() == Some(CONFIG_NAME) => from_config(files, path),

@@ -1,6 +1,6 @@
 //! The commands that the controller executes: one table from the catalogue's commands to what carries them out.
 //!
-//! A command that is in none of the tables is refused before a run starts ([`support`]), never skipped.
+//! A command that is in none of the tables is refused before a run starts ([`supported`]), never skipped.
 
 mod arguments;
 mod attach;

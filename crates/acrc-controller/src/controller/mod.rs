@@ -54,6 +54,8 @@ pub struct Controller {
 struct Boot {
     code: Code,
     frame: Frame,
+    /// Place of the statement that is or was executed last.
+    statement: u32,
     /// Variables of statements at the system prompt, which has none.
     locals: Locals,
     release: Option<u64>,
@@ -76,6 +78,7 @@ impl Controller {
             boot: Boot {
                 code,
                 frame: Frame::new(),
+                statement: 0,
                 locals: Locals::new(0),
                 release: None,
                 done: false,

@@ -33,7 +33,7 @@ impl Controller {
             Request::Install(index) => {
                 if let Err(message) = self.install(index) {
                     self.faulted = true;
-                    let location = self.boot.code.location(self.boot.frame.pc());
+                    let location = self.boot.code.location(self.boot.statement);
                     let report = self.fault_report(None, location, message);
                     observer.fault(&report);
                 }

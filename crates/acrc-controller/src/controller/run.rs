@@ -156,7 +156,8 @@ impl Controller {
         };
         let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(1));
         program.statements += u64::from(run.statements);
-        if run.statements > 0 {
+        // A program that only finds again that it has to wait has changed nothing.
+        if run.statements > 0 || run.stop != Stop::Blocked {
             self.changes += 1;
         }
         program.waited_at = self.changes;

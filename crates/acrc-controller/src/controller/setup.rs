@@ -44,10 +44,11 @@ impl Controller {
             observer,
             immediate: true,
         };
+        boot.statement = boot.frame.pc();
         let run = acrc_vm::run(&boot.code, &mut boot.frame, locals, &mut context, Budget::statements(1));
         boot.waiting = run.stop == Stop::Blocked;
         boot.done = run.stop == Stop::Ended;
-        if run.statements > 0 {
+        if run.statements > 0 || run.stop != Stop::Blocked {
             self.changes += 1;
         }
         boot.waited_at = self.changes;

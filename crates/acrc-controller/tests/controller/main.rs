@@ -1,5 +1,15 @@
-//! What a program does on the controller, seen from outside: one short test for each rule of `docs/fidelity.md` and of the guide.
+//! What a program does on the controller, seen from outside: one short test for each rule of the guide and of `docs/fidelity.md`.
 
+mod attachments;
+mod bits;
+mod holds;
+mod memory;
 mod moves;
+mod parameters;
+mod programs;
+mod properties;
+mod reports;
+mod setup;
 mod support;
-mod waiting;
+mod time;
+mod world;

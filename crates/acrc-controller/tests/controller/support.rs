@@ -184,11 +184,6 @@ impl Ran {
         self.controller.bit(number).expect("a flag that exists")
     }
 
-    /// A parameter as a number.
-    pub(crate) fn parameter(&self, number: i64) -> f64 {
-        self.controller.parameter(number).expect("a parameter that exists").to_f64().expect("a number")
-    }
-
     /// The end of the run in milliseconds.
     pub(crate) fn milliseconds(&self) -> f64 {
         milliseconds(self.controller.seconds())

@@ -7,6 +7,7 @@ use acrc_catalog::{Command as Row, CommandId, Keyword, ObjectKind, Shape, Word a
 use acrc_diagnostics::Span;
 
 use super::expression::may_be_name;
+use super::motion::may_start_target;
 use super::statement::MAX_AXIS_NAME;
 use super::{Read, Reader};
 use crate::ast::{Argument, Expr, ExprKind, Tuple, Word};
@@ -256,7 +257,7 @@ impl Reader<'_> {
         if is_axis {
             return self.axis(rules, token, seen.is_first());
         }
-        let moves = short && self.may_have_target(self.peek_at(1));
+        let moves = short && may_start_target(self.peek_at(1).kind);
         if seen.values >= rules.values || moves || !(seen.is_first() || seen.comma) {
             return Ok(None);
         }

@@ -237,9 +237,12 @@ impl<'t> Reader<'t> {
     }
 
     fn report_late_comment(&mut self, token: Token) {
-        let mark = self.slice(token.span).chars().next().map_or(0, char::len_utf8) as u32;
-        let place = Span::new(token.span.start, token.span.start + mark);
-        let fix = Fix::safe("make it a remark", vec![Edit::replace(place, ": REM ")]);
+        let text = self.slice(token.span);
+        let mark = text.chars().next().map_or(0, char::len_utf8);
+        let place = Span::new(token.span.start, token.span.start + mark as u32);
+        let is_spaced = text.get(mark..).is_none_or(|rest| rest.is_empty() || rest.starts_with([' ', '\t']));
+        let word = if is_spaced { ": REM" } else { ": REM " };
+        let fix = Fix::safe("make it a remark", vec![Edit::replace(place, word)]);
         self.report(
             Diagnostic::warning(
                 codes::COMMENT_AFTER_STATEMENT,

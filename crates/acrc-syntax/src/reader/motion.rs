@@ -13,7 +13,7 @@ impl Reader<'_> {
     /// `X`, `X5`, `X/25`, `Y(3,-1)`. Where a command takes bare axes only, an axis with a value is a move of its own,
     /// unless it is the first argument.
     pub(super) fn axis(&mut self, rules: &Rules, token: Token, is_first: bool) -> Read<Option<Argument>> {
-        if rules.axis == AxisValue::Nothing && !is_first && self.may_have_target(self.peek_at(1)) {
+        if rules.axis == AxisValue::Nothing && !is_first && may_start_target(self.peek_at(1).kind) {
             return Ok(None);
         }
         self.bump();
@@ -21,12 +21,6 @@ impl Reader<'_> {
         let (slash, value) = self.axis_value(rules)?;
         let span = Span::new(name.start, self.consumed_to());
         Ok(Some(Argument::Axis(Axis { span, name, slash, value })))
-    }
-
-    /// Whether this token behind a name makes it an axis with a target.
-    pub(super) fn may_have_target(&self, token: Token) -> bool {
-        let kind = token.kind;
-        kind.is_sign() || matches!(kind, TokenKind::Integer | TokenKind::Real | TokenKind::Slash | TokenKind::LeftParen)
     }
 
     /// An object whose word is taken, with the value that an axis by number may have.
@@ -154,4 +148,9 @@ impl Reader<'_> {
         }
         Ok(arguments)
     }
+}
+
+/// Whether a token behind a name makes it an axis with a target.
+pub(super) fn may_start_target(kind: TokenKind) -> bool {
+    kind.is_sign() || matches!(kind, TokenKind::Integer | TokenKind::Real | TokenKind::Slash | TokenKind::LeftParen)
 }

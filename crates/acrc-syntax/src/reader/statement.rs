@@ -4,6 +4,7 @@ use acrc_catalog::{Operator, Shape, command};
 use acrc_diagnostics::{Applicability, Diagnostic, Edit, Fix, Span};
 
 use super::expression::may_be_name;
+use super::motion::may_start_target;
 use super::{Failure, Read, Reader};
 use crate::ast::{Assign, Expr, ExprKind, Label, StatementKind};
 use crate::codes;
@@ -103,16 +104,13 @@ impl Reader<'_> {
     }
 
     fn may_follow_axis(&self, token: Token) -> bool {
-        match token.kind {
-            TokenKind::Integer | TokenKind::Real | TokenKind::Slash | TokenKind::LeftParen => true,
-            kind => kind.is_sign() || kind.ends_statement() || self.starts_statement(token),
-        }
+        may_start_target(token.kind) || token.kind.ends_statement() || self.starts_statement(token)
     }
 
     /// `JGO ABS X5`: the next word is a daughter of the command that this word resembles.
     fn is_mistyped_parent(&self, token: Token) -> bool {
         let next = self.peek_at(1);
-        if !self.word(next).is_some_and(|word| word.daughter) || !self.may_suggest(self.slice(token.span)) {
+        if !self.word(next).is_some_and(|word| word.daughter) {
             return false;
         }
         let parent = acrc_catalog::nearest_command(self.slice(token.span)).and_then(acrc_catalog::word);

@@ -6,7 +6,7 @@ use acrc_syntax::ast::{Command, Dim, Expr, ExprKind, Statement, StatementKind};
 
 use super::groups::{Group as Values, Values as Written, groups, items, takes_axes};
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, On, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -20,7 +20,7 @@ pub(crate) static RULE: Rule = Rule {
         good: "PROG0\nPROGRAM\nDWL 0.5\nENDP",
         guide: "Programming Basics / Command Syntax",
     },
-    checks: &[Check::Statement(check_statement), Check::Expression(check_call)],
+    checks: &[Check::Statement(check_statement), Check::Expression(On::Compound, check_call)],
 };
 
 /// Stands for any number in the catalogue.

@@ -7,7 +7,7 @@ use acrc_syntax::ast::{Argument, Assign, Command, Expr, ExprKind, Statement, Sta
 use super::groups::{Values, groups, takes_axes};
 use super::value_kind::ValueKind;
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, On, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -21,7 +21,7 @@ pub(crate) static RULE: Rule = Rule {
         good: "PROG0\nPROGRAM\nDIM $V(1,10)\n$V0 = STR$(5)\nENDP",
         guide: "Programming Basics / Command Syntax",
     },
-    checks: &[Check::Statement(check_statement), Check::Expression(check_expression)],
+    checks: &[Check::Statement(check_statement), Check::Expression(On::Compound, check_expression)],
 };
 
 fn check_statement(context: &mut Context<'_>, statement: &Statement) {

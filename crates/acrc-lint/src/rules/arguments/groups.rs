@@ -33,32 +33,26 @@ pub(super) fn takes_axes(shape: Shape) -> bool {
 }
 
 /// The values of each axis, of an axis in front of the command (`AXIS0 PPU 4000`), and of tuples.
-pub(super) fn groups(command: &Command) -> Vec<Group<'_>> {
+pub(super) fn groups(command: &Command) -> impl Iterator<Item = Group<'_>> {
     let mut row = command.id.info();
-    let mut groups = Vec::with_capacity(command.arguments.len());
-    for (at, argument) in command.arguments.iter().enumerate() {
-        match argument {
-            Argument::Axis(axis) => {
-                let values = axis.value.as_deref().map_or(Values::Missing, values);
-                groups.push(Group { row, span: axis.span, axis: Some(axis.name), values });
-            }
+    command.arguments.iter().enumerate().filter_map(move |(at, argument)| {
+        let (span, axis, values) = match argument {
+            Argument::Axis(axis) => (axis.span, Some(axis.name), axis.value.as_deref().map_or(Values::Missing, values)),
             Argument::Object(object) if object.kind == ObjectKind::Axis && takes_axes(row.shape) => {
-                let values = object.value.as_deref().map_or(Values::Missing, values);
-                groups.push(Group { row, span: object.span, axis: Some(object.name), values });
+                (object.span, Some(object.name), object.value.as_deref().map_or(Values::Missing, values))
             }
             // The parameter of `IHPOS P6160 (40000, 5)` is no value of the tuple behind it.
-            Argument::Value(_) if row.shape == Shape::ParameterTuple && at == 0 => {}
-            Argument::Value(expr) => {
-                groups.push(Group { row, span: expr.span, axis: None, values: values(argument) });
+            Argument::Value(_) if row.shape == Shape::ParameterTuple && at == 0 => return None,
+            Argument::Value(expr) => (expr.span, None, values(argument)),
+            Argument::Tuple(tuple) => (tuple.span, None, values(argument)),
+            Argument::Interpolation(id, _) => {
+                row = id.info();
+                return None;
             }
-            Argument::Tuple(tuple) => {
-                groups.push(Group { row, span: tuple.span, axis: None, values: values(argument) });
-            }
-            Argument::Interpolation(id, _) => row = id.info(),
-            _ => {}
-        }
-    }
-    groups
+            _ => return None,
+        };
+        Some(Group { row, span, axis, values })
+    })
 }
 
 fn values(argument: &Argument) -> Values<'_> {

@@ -5,7 +5,7 @@ use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::ast::{Expr, ExprKind};
 
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, On, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -19,7 +19,7 @@ pub(crate) static RULE: Rule = Rule {
         good: "P0 = 5000000000.0",
         guide: "System Configuration / Memory Allocations",
     },
-    checks: &[Check::Expression(check)],
+    checks: &[Check::Expression(On::Number, check)],
 };
 
 /// The smallest number is the negative of this.

@@ -46,12 +46,12 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
     context.report(diagnostic.with_help("end the subroutine with RETURN"));
 }
 
-/// Where the text of a stored program ends. Text that is typed at a prompt may go on in another file.
+/// Where the text of a stored program ends. What is typed at a prompt, and numbered lines, may go on elsewhere.
 fn end_of_text(context: &Context<'_>, section: &SectionIndex) -> Option<Span> {
     let section = &section.section;
     let last = match section.closer {
         Some(closer) => closer,
-        None if section.kind == SectionKind::Stored && section.opener.is_none() => {
+        None if section.kind == SectionKind::Stored && context.index().implicit_program => {
             section.statements.end.checked_sub(1)?
         }
         None => return None,

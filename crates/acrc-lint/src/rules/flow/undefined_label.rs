@@ -3,7 +3,6 @@
 use acrc_analysis::SectionIndex;
 use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
 use acrc_syntax::ast::Target;
-use acrc_syntax::units::SectionKind;
 
 use crate::rule::{Check, Group, Rule, RuleDoc};
 use crate::{Context, level_name};
@@ -31,9 +30,9 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
     }
 }
 
-/// What is typed at a prompt may jump into any part of the program of that level.
+/// What is typed at a prompt may jump into any part of the program of that level, and numbered lines are parts of it.
 fn is_defined_elsewhere(context: &Context<'_>, section: &SectionIndex, target: Target) -> bool {
-    section.section.kind == SectionKind::Immediate
+    section.section.opener.is_none()
         && same_level(context, section).any(|other| other.resolve(context.text(), target).is_some())
 }
 
@@ -78,6 +77,7 @@ mod tests {
     fn a_jump_finds_labels_and_line_numbers_of_its_own_program() {
         assert_eq!(codes("PROG0\nPROGRAM\nGOTO A\n_A\nENDP\nPROG1\nPROGRAM\nGOTO A\nENDP\n"), [(8, "ACR101")]);
         assert_eq!(codes("PROG0\n10 GOTO 20\n20 GOTO 30\n"), [(3, "ACR101")]);
+        assert_eq!(codes("PROG0\n10 SET 32\nLIST\n20 GOTO 10\n"), []);
         assert_eq!(codes("PROG0\nPROGRAM\n_100\nGOTO 100\nENDP\n"), []);
     }
 

@@ -5,7 +5,7 @@ use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
 use acrc_syntax::ast::{Expr, ExprKind};
 
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, On, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Rule {
         good: "#DEFINE Clamp BIT32\nPROG0\nPROGRAM\nSET Clamp\nENDP",
         guide: "Programming Basics / Aliases",
     },
-    checks: &[Check::Expression(check)],
+    checks: &[Check::Expression(On::Alias, check)],
 };
 
 fn check(context: &mut Context<'_>, expr: &Expr) {

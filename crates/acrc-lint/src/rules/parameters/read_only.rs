@@ -70,19 +70,19 @@ fn written_alias(context: &mut Context<'_>, span: Span) {
 
 fn judge(context: &mut Context<'_>, span: Span, class: OperandClass, number: u64) {
     let Ok(number) = u32::try_from(number) else { return };
-    let (name, title, known, access, confidence) = match class {
+    let (word, title, known, access, confidence) = match class {
         OperandClass::Parameter => {
             let info = acrc_catalog::parameter(number);
-            (format!("P{number}"), info.title, info.known, info.access, info.confidence)
+            ("P", info.title, info.known, info.access, info.confidence)
         }
         OperandClass::Bit => {
             let info = acrc_catalog::bit(number);
-            (format!("bit {number}"), info.title, info.known, info.access, info.confidence)
+            ("bit ", info.title, info.known, info.access, info.confidence)
         }
         _ => return,
     };
     if known == Known::Row && access == Access::Read && confidence == Confidence::High {
-        context.report(RULE.at(span, format!("{name} ({title}) is written by the controller only")));
+        context.report(RULE.at(span, format!("{word}{number} ({title}) is written by the controller only")));
     }
 }
 

@@ -5,7 +5,7 @@ use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
 
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, On, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -20,25 +20,31 @@ pub(crate) static RULE: Rule = Rule {
         good: "PROG0\nPROGRAM\nINH 16134\nENDP",
         guide: "Programming Basics / Parameters and Bits",
     },
-    checks: &[Check::Statement(check)],
+    checks: &[Check::Expression(On::Operand, check_operand), Check::Statement(check_flags)],
 };
 
-fn check(context: &mut Context<'_>, statement: &Statement) {
-    acrc_analysis::walk::expressions(statement, &mut |expr| {
-        if let ExprKind::Operand(operand) = &expr.kind {
-            match (operand.class, number(&operand.index)) {
-                (OperandClass::Parameter, Some(number)) => parameter(context, expr.span, number),
-                (OperandClass::Bit, Some(number)) => bit(context, expr.span, number),
-                _ => {}
-            }
-        }
-    });
+/// The two kinds of numbers.
+#[derive(Clone, Copy)]
+enum Numbered {
+    Parameter,
+    Bit,
+}
+
+fn check_operand(context: &mut Context<'_>, expr: &Expr) {
+    let ExprKind::Operand(operand) = &expr.kind else { return };
+    let kind = match operand.class {
+        OperandClass::Parameter => Numbered::Parameter,
+        OperandClass::Bit => Numbered::Bit,
+        _ => return,
+    };
+    judge(context, expr.span, kind, &operand.index);
+}
+
+fn check_flags(context: &mut Context<'_>, statement: &Statement) {
     let StatementKind::Command(command) = &statement.kind else { return };
     for argument in &command.arguments {
-        if let Argument::Bit(argument) = argument
-            && let Some(number) = number(&argument.index)
-        {
-            bit(context, argument.span, number);
+        if let Argument::Bit(bit) = argument {
+            judge(context, bit.span, Numbered::Bit, &bit.index);
         }
     }
 }
@@ -52,28 +58,35 @@ fn number(expr: &Expr) -> Option<u64> {
     }
 }
 
-fn parameter(context: &mut Context<'_>, span: Span, number: u64) {
-    let info = u32::try_from(number).map(acrc_catalog::parameter);
-    match info {
-        Ok(info) if info.known != Known::OutOfSpace => {
-            report_missing_object(context, span, &format!("P{number}"), info.object, info.object_index);
+fn judge(context: &mut Context<'_>, span: Span, kind: Numbered, index: &Expr) {
+    let Some(number) = number(index) else { return };
+    let small = u32::try_from(number).ok();
+    let place = match kind {
+        Numbered::Parameter => {
+            small.map(acrc_catalog::parameter).map(|info| (info.known, info.object, info.object_index))
         }
-        _ => context.report(RULE.at(span, format!("there is no parameter P{number}"))),
-    }
-}
-
-fn bit(context: &mut Context<'_>, span: Span, number: u64) {
-    let info = u32::try_from(number).map(acrc_catalog::bit);
-    match info {
-        Ok(info) if info.known != Known::OutOfSpace => {
-            report_missing_object(context, span, &format!("bit {number}"), info.object, info.object_index);
+        Numbered::Bit => small.map(acrc_catalog::bit).map(|info| (info.known, info.object, info.object_index)),
+    };
+    let name = || match kind {
+        Numbered::Parameter => format!("parameter P{number}"),
+        Numbered::Bit => format!("bit {number}"),
+    };
+    match place {
+        Some((known, object, index)) if known != Known::OutOfSpace => {
+            report_missing_object(context, span, name, object, index);
         }
-        _ => context.report(RULE.at(span, format!("there is no bit {number}"))),
+        _ => context.report(RULE.at(span, format!("there is no {}", name()))),
     }
 }
 
 /// Axes and masters are counted for the model only when the project names it: a default model may be the wrong one.
-fn report_missing_object(context: &mut Context<'_>, span: Span, name: &str, object: Space, index: Option<u32>) {
+fn report_missing_object(
+    context: &mut Context<'_>,
+    span: Span,
+    name: impl Fn() -> String,
+    object: Space,
+    index: Option<u32>,
+) {
     let Some(model) = context.given_model() else { return };
     let (word, count) = match object {
         Space::Axis => ("axis", model.axes),
@@ -81,11 +94,8 @@ fn report_missing_object(context: &mut Context<'_>, span: Span, name: &str, obje
         _ => return,
     };
     if let Some(index) = index.filter(|index| *index >= u32::from(count)) {
-        let message = format!(
-            "{name} belongs to {word} {index}, and the {} has {word} 0 to {}",
-            model.name,
-            count.saturating_sub(1)
-        );
+        let (name, model_name, last) = (name(), model.name, count.saturating_sub(1));
+        let message = format!("{name} belongs to {word} {index}, and the {model_name} has {word} 0 to {last}");
         let diagnostic = Diagnostic { severity: Severity::Warning, ..RULE.at(span, message) };
         context.report_by(model.confidence, diagnostic);
     }
@@ -93,11 +103,22 @@ fn report_missing_object(context: &mut Context<'_>, span: Span, name: &str, obje
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::codes;
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{codes, codes_in, lint_as};
 
     #[test]
     fn numbers_are_found_wherever_they_stand() {
         assert_eq!(codes("IF (BIT 999999) THEN P999999 = 1\nSET 999999\nINH -BIT999999\n").len(), 4);
         assert_eq!(codes("P0 = P(12290) + BIT(516)\n"), []);
+    }
+
+    #[test]
+    fn axes_are_counted_for_a_model_that_the_project_names() {
+        let text = "P0 = P14594\n";
+        assert_eq!(codes(text), [], "actual position of axis 9: another model may have it");
+        let found = lint_as("ACR9000", text);
+        assert_eq!(codes_in(text, &found), [(1, "ACR301")]);
+        assert!(found[0].severity == Severity::Warning && found[0].message.contains("axis 9"));
     }
 }

@@ -1,0 +1,69 @@
+//! Memory of the system and of programs (guide, "Memory Allocations").
+
+use crate::support::Sim;
+
+#[test]
+fn a_block_is_dimensioned_once() {
+    assert_eq!(Sim::new("SYS\nDIM P(10)\nDIM P(20)\n").faults(), ["Re-dimensioned block"]);
+    assert_eq!(Sim::new("SYS\nDIM PROG0(8192)\n").faults(), ["Re-dimensioned block"]);
+    Sim::new("SYS\nCLEAR\nDIM P(10)\nDIM PROG0(8192)\nDIM DEF 20\nCLEAR\nDIM P(20)\n").run().clean();
+}
+
+#[test]
+fn memory_runs_out() {
+    let faults = Sim::new("SYS\nCLEAR\nDIM PROG0(1000000)\nDIM PROG1(100000)\n").faults();
+    assert_eq!(faults, ["out of memory: 100000 bytes are needed and 48576 are free"]);
+    assert_eq!(Sim::new("SYS\nDIM P(5000)\n").faults(), ["the size must be between 1 and 4096"]);
+    assert_eq!(Sim::new("SYS\nDIM DEF(1000000)\n").faults().len(), 1);
+}
+
+#[test]
+fn a_program_that_does_not_fit_its_space_is_not_stored() {
+    let text = "SYS\nCLEAR\nDIM PROG0(16)\nPROG0\nPROGRAM\nPRINT \"long text\"\nENDP\nRUN PROG0\n";
+    let ran = Sim::new(text).run();
+    assert_eq!(ran.record.faults[0].message, "program 0 needs 17 bytes but DIM PROG0 gives 16");
+    assert_eq!((ran.record.faults[0].line, ran.record.output.len()), (Some(5), 0));
+    assert_eq!(ran.controller.programs().len(), 0);
+}
+
+#[test]
+fn a_program_without_space_is_not_stored() {
+    let ran = Sim::new("PROG9\nPROGRAM\nEND\nENDP\n").run();
+    assert_eq!(ran.record.faults.len(), 1);
+}
+
+#[test]
+fn variables_fit_beside_the_text_of_their_program() {
+    let text = |bytes: u32| {
+        format!("SYS\nCLEAR\nDIM PROG0({bytes})\nPROG0\nPROGRAM\nDIM LV(10)\nLV9 = 1\nPRINT LV9\nENDP\nRUN PROG0\n")
+    };
+    assert_eq!(Sim::new(&text(200)).prints(), ["1"]);
+    let faults = Sim::new(&text(60)).faults();
+    assert!(faults.len() == 1 && faults[0].contains("40 bytes"), "{faults:?}");
+}
+
+#[test]
+fn variables_belong_to_their_program_and_outlive_its_runs() {
+    let text = "PROG0\nDIM LV(1)\nLV0 = 7\nPROGRAM\nLV0 = LV0 + 1\nPRINT LV0\nENDP\nPROG1\nDIM LV(1)\nPROGRAM\nPRINT LV0\n\
+                DWL 0.1\nRUN PROG0\nENDP\n";
+    assert_eq!(Sim::new(text).start(&[0, 1]).prints(), ["8", "0", "9"]);
+}
+
+#[test]
+fn a_second_dim_needs_a_clear() {
+    assert_eq!(Sim::program("DIM LV(2)\nDIM LV(3)").faults(), ["Re-dimensioned block"]);
+    assert_eq!(Sim::program("DIM LV(2)\nCLEAR\nDIM LV(3)\nLV2 = 5\nPRINT LV2").prints(), ["5"]);
+}
+
+#[test]
+fn clear_at_the_system_prompt_frees_the_variables_of_programs() {
+    let text = "PROG0\nDIM LV(1)\nSYS\nCLEAR\nDIM PROG0(100)\nPROG0\nDIM LV(2)\nLV1 = 3\nPRINT LV1\n";
+    assert_eq!(Sim::new(text).prints(), ["3"]);
+}
+
+#[test]
+fn system_blocks_are_not_for_programs() {
+    assert_eq!(Sim::program("DIM PROG3(100)").faults().len(), 1);
+    let faults = Sim::new("PROG0\nDIM P(10)\n").faults();
+    assert_eq!(faults, ["DIM P is not possible at the program level"]);
+}

@@ -1,0 +1,110 @@
+//! The promises of virtual time: a run can be repeated, and a jump over time in which nothing happens changes nothing.
+
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+use crate::support::{Ran, Sim, TWO_AXES};
+
+/// Programs of a project: 0 and 8 have an axis each, 8 and 9 share a slice.
+const PROGRAMS: [u8; 4] = [0, 1, 8, 9];
+
+fn program() -> impl Strategy<Value = u8> {
+    select(&PROGRAMS)
+}
+
+/// A statement that a program with or without an axis can execute. User flags 128-131 are what programs tell each other.
+fn statement(axis: Option<&'static str>) -> BoxedStrategy<String> {
+    let quiet = prop_oneof![
+        8 => (0..300_u32).prop_map(|time| format!("DWL {}", f64::from(time) / 1000.0)),
+        8 => Just("PRINT P6916, P12288, P12800, P4100, P4128, P4136".to_owned()),
+        3 => (128..132_u32, select(&["SET", "CLR"])).prop_map(|(bit, word)| format!("{word} {bit}")),
+        1 => (128..132_u32, select(&["", "-"])).prop_map(|(bit, sign)| format!("INH {sign}{bit}")),
+        1 => (0..4_u32).prop_map(|input| format!("INH -{input}")),
+        3 => program().prop_map(|program| format!("INH -{}", 1024 + 32 * u32::from(program))),
+        4 => (program(), select(&["RUN", "RUN", "PAUSE", "RESUME", "HALT"]))
+            .prop_map(|(program, word)| format!("{word} PROG{program}")),
+        1 => select(&["SET 520", "SET 521", "SET 523", "CLR 522", "MASTER1 FOV 0.5", "MASTER1 FOV 2"]).prop_map(str::to_owned),
+    ];
+    let Some(axis) = axis else { return quiet.boxed() };
+    let moving = prop_oneof![
+        4 => (-20..20_i32, select(&["", "/"])).prop_map(move |(to, slash)| format!("{axis}{slash}{to}")),
+        1 => Just("INH -516".to_owned()),
+        1 => (0..3_u32).prop_map(|stop| format!("STP {}", stop * 50)),
+    ];
+    prop_oneof![3 => quiet, 1 => moving].boxed()
+}
+
+fn body(axis: Option<&'static str>) -> impl Strategy<Value = String> {
+    vec(statement(axis), 0..15).prop_map(|lines| lines.join("\n"))
+}
+
+fn events() -> impl Strategy<Value = String> {
+    vec((0..2000_u32, 0..4_u32, any::<bool>()), 0..5).prop_map(|events| {
+        let one = |(time, input, set): &(u32, u32, bool)| {
+            format!("[[event]]\nat = \"{time}ms\"\n{} = [{input}]\n", if *set { "set" } else { "clear" })
+        };
+        events.iter().map(one).collect::<Vec<_>>().concat()
+    })
+}
+
+fn project() -> impl Strategy<Value = String> {
+    (body(Some("X")), body(None), body(Some("A")), body(None)).prop_map(|(zero, one, eight, nine)| {
+        format!(
+            "{TWO_AXES}SYS\nDIM PROG8(2000)\nDIM PROG9(2000)\nPROG8\nATTACH MASTER1\nATTACH SLAVE0 AXIS2 \"A\"\n\
+             ACC 500 STP 500 VEL 200\nPROG0\nPROGRAM\n{zero}\nENDP\nPROG1\nPROGRAM\n{one}\nENDP\n\
+             PROG8\nPROGRAM\n{eight}\nENDP\nPROG9\nPROGRAM\n{nine}\nENDP\n"
+        )
+    })
+}
+
+/// An event in every tick of the first second, at an input that no program looks at: time can't jump.
+fn events_in_every_tick() -> String {
+    let half_milliseconds = (0..2000_u32).map(|tick| f64::from(tick) / 2.0);
+    half_milliseconds
+        .map(|time| format!("[[event]]\nat = \"{time}ms\"\nset = [31]\nnote = \"tick\"\n"))
+        .collect::<Vec<_>>()
+        .concat()
+}
+
+/// Everything that a run shows, but for how often its observer was called and the events of [`events_in_every_tick`].
+fn shown(ran: &Ran) -> String {
+    let controller = &ran.controller;
+    let events: Vec<_> = ran.record.events.iter().filter(|(_, note)| note != "tick").collect();
+    format!(
+        "{:?} {:?} {:#?} {:#?} {:#?} {:#?} {:#?} {:#?} {:?} {:?}",
+        ran.stopped,
+        controller.seconds(),
+        ran.record.output,
+        ran.record.faults,
+        events,
+        controller.programs(),
+        controller.axes(),
+        controller.masters(),
+        ran.notes(),
+        [0, 1, 2].map(|axis| controller.view().motion(axis)),
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_jump_shows_the_same_to_those_who_watch(text in project(), world in events(), until in 0.0..4.0_f64) {
+        let run = |watched: bool| Sim::new(&text).start(&PROGRAMS).world(&world).until(until).watched(watched).run();
+        prop_assert_eq!(shown(&run(true)), shown(&run(false)));
+    }
+
+    #[test]
+    fn a_jump_shows_the_same_as_steps(text in project(), world in events()) {
+        let run = |world: &str| Sim::new(&text).start(&PROGRAMS).world(world).until(1.0).watched(false).run();
+        let stepped = format!("{world}{}", events_in_every_tick());
+        prop_assert_eq!(shown(&run(&world)), shown(&run(&stepped)));
+    }
+
+    #[test]
+    fn a_run_can_be_repeated(text in project(), world in events(), seed: u64) {
+        let run = || Sim::new(&text).start(&PROGRAMS).world(&world).seed(seed).until(2.0).watched(false).run();
+        prop_assert_eq!(shown(&run()), shown(&run()));
+    }
+}

@@ -1,0 +1,33 @@
+//! Scripted inputs.
+
+use crate::support::Sim;
+
+#[test]
+fn an_event_at_zero_is_there_before_the_first_statement() {
+    let world = "[[event]]\nat = 0\nset = [3]\nnote = \"start\"\n";
+    let ran = Sim::new("PRINT BIT(3)\n").world(world).run().clean();
+    assert_eq!((&*ran.record.output[0].text, &*ran.record.events), ("-1", &[(0.0, "start".to_owned())][..]));
+}
+
+#[test]
+fn an_event_at_the_time_of_a_slice_comes_before_it() {
+    let world = "[[event]]\nat = \"100ms\"\nset = [3]\n[[event]]\nat = \"200.2ms\"\nclear = [3]\n";
+    let sim = Sim::program("INH 3\nPRINT \"on\"\nINH -3\nPRINT \"off\"").world(world);
+    assert_eq!(sim.timed(), ["100 on", "202 off"]);
+    assert_eq!(sim.watched(false).timed(), ["100 on", "202 off"]);
+}
+
+#[test]
+fn events_are_told_in_their_order() {
+    let world = "[[event]]\nat = 0.2\nset = [1]\nnote = \"b\"\n[[event]]\nat = 0.1\nset = [1]\nnote = \"a\"\n[[event]]\nat = 0.2\nclear = [1]\nnote = \"c\"\n";
+    let ran = Sim::program("DWL 1").world(world).watched(false).run().clean();
+    let expected = [(100.0, "a"), (200.0, "b"), (200.0, "c")].map(|(time, note)| (time, note.to_owned()));
+    assert_eq!(ran.record.events, expected);
+    assert!(!ran.bit(1));
+}
+
+#[test]
+fn events_after_the_end_of_all_programs_do_not_happen() {
+    let ran = Sim::program("PRINT 1").world("[[event]]\nat = 5\nset = [1]\n").run().clean();
+    assert_eq!(ran.record.events.len(), 0);
+}
