@@ -2,6 +2,7 @@
 
 mod attachments;
 mod bits;
+mod extremes;
 mod holds;
 mod memory;
 mod moves;

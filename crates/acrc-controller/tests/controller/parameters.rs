@@ -51,6 +51,12 @@ fn a_written_position_is_taken_over() {
 }
 
 #[test]
+fn a_copy_of_the_position_in_the_target_changes_nothing() {
+    let sim = Sim::program("X10\nINH -516\nREN X\nP12289 = P12288\nX/5\nINH -516\nPRINT P12288, P12289");
+    assert_eq!(sim.prints(), ["15\t15"]);
+}
+
+#[test]
 fn ren_changes_nothing_on_an_ideal_axis() {
     assert_eq!(Sim::program("X10\nINH -516\nREN X Y\nPRINT P12288").prints(), ["10"]);
 }
@@ -101,9 +107,4 @@ fn read_only_parameters_keep_their_value() {
 #[test]
 fn a_parameter_without_behaviour_keeps_what_is_written() {
     assert_eq!(Sim::program("P12348 = 2.5\nPRINT P12348\nPRINT P12349").prints(), ["2.5", "0"]);
-}
-
-#[test]
-fn strings_are_no_values_of_parameters() {
-    assert_eq!(Sim::program("DIM $V(1,10)\n$V0 = \"a\"\nP0 = VAL($V0)\nPRINT P0").run().record.faults.len(), 0);
 }

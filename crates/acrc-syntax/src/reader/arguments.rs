@@ -230,7 +230,10 @@ impl Reader<'_> {
             return None;
         }
         let numbered = self.peek_at(1).kind == TokenKind::Integer;
-        let is_prefix = word.command.is_some_and(|object| self.is_prefix(kind, object));
+        // `ATTACH AXIS0 ENC0 CMT0 ENC0` lists objects, though `CMT0 ENC0` could be a statement too.
+        let object_follows = self.word(self.peek_at(2)).is_some_and(|next| next.object.is_some())
+            && self.peek_at(3).kind == TokenKind::Integer;
+        let is_prefix = !object_follows && word.command.is_some_and(|object| self.is_prefix(kind, object));
         (seen.is_first() || numbered && !is_prefix).then_some(kind)
     }
 
