@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use acrc_catalog::{Model, law};
 use acrc_image::AxisName;
-use acrc_motion::HoldState;
+use acrc_motion::{HoldState, Master as Profiler};
 use acrc_syntax::units::Level;
 use acrc_vm::Value;
 
@@ -190,7 +190,9 @@ impl Machine {
         for (slot, _) in master.attached() {
             from[slot] = master.profiler.position(slot);
         }
+        let accelerated = master.profiler.vector_acceleration() > 0.0;
         let advanced = master.profiler.advance(period);
+        let crest = if accelerated { crest(&master.profiler) } else { 1.0 };
         master.statistics.moves += u64::from(advanced.completed);
         master.settling = !master.profiler.in_motion();
         master.statistics.motion_ticks += 1;
@@ -200,7 +202,7 @@ impl Machine {
             statistics.record(
                 from[slot],
                 profiler.position(slot),
-                profiler.velocity(slot),
+                profiler.velocity(slot) * crest,
                 profiler.acceleration(slot),
             );
         }
@@ -359,4 +361,14 @@ impl Machine {
 /// A value for a message, with no more digits than a person reads.
 fn rounded(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
+}
+
+/// How much higher than now the velocity was inside a tick that began with acceleration: where the profile turned to deceleration, its peak lies
+/// between two ticks.
+fn crest(profiler: &Profiler) -> f64 {
+    let now = profiler.path_state();
+    match profiler.profile() {
+        Some(profile) if now.acceleration < 0.0 && now.velocity > 0.0 => profile.peak_velocity() / now.velocity,
+        _ => 1.0,
+    }
 }

@@ -55,6 +55,24 @@ fn axes_of_one_statement_start_and_stop_together() {
 }
 
 #[test]
+fn the_peak_of_a_short_move_lies_between_two_ticks() {
+    let bench = Bench::new();
+    bench.file("short.8K", one_axis("X1"));
+    let report = bench.sim("short.8K --run PROG0");
+    // Half of 1 unit up with 10 units/s^2: sqrt(2 * 0.5 * 10)
+    let peak = report["axes"][0]["peak_velocity"].as_f64().expect("a number");
+    assert!((peak - 10_f64.sqrt()).abs() < 1e-9, "{peak}");
+}
+
+#[test]
+fn what_is_unconfirmed_is_said_once() {
+    let bench = Bench::new();
+    bench.file("angle.8K", one_axis("CLEAR\nDIM DV(1)\nDV0 = SIN(1) + SIN(2)"));
+    let notes = bench.sim("angle.8K --run PROG0")["notes"].to_string();
+    assert_eq!(notes.matches("radians").count(), 1, "{notes}");
+}
+
+#[test]
 fn moves_without_stop_ramp_merge() {
     let bench = Bench::new();
     bench.file("blend.8K", one_axis("STP 0\nX20\nX60\nSTP 10\nX80"));

@@ -2,7 +2,7 @@
 
 use acrc_catalog::law;
 use acrc_image::UnitName;
-use acrc_vm::Code;
+use acrc_vm::{Code, Doubt, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
@@ -61,6 +61,7 @@ impl Controller {
             return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.to_string());
         }
         let code = Code::load(unit, &self.image.aliases).map_err(|error| error.to_string())?;
+        self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt)));
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
@@ -126,5 +127,15 @@ impl Controller {
             self.machine.flags.set_law(law::PROGRAM_RUNNING, number as u32, program.state.is_active());
             self.machine.flags.set_law(law::PROGRAM_PAUSE, number as u32, program.state == State::Paused);
         }
+    }
+}
+
+/// What a run says of behaviour that no document describes.
+fn unconfirmed_note(program: u8, unconfirmed: &Unconfirmed) -> String {
+    let place = format!("PROG{program} line {}", unconfirmed.location.source_line());
+    let name = unconfirmed.name;
+    match unconfirmed.doubt {
+        Doubt::Existence => format!("{place} uses {name}, whose behaviour is unconfirmed"),
+        Doubt::AngleUnit => format!("{place} uses {name}: angles are taken in radians, which is unconfirmed"),
     }
 }
