@@ -1,5 +1,6 @@
 //! What `load` makes of directories, descriptions and files, and what it says when it can't.
 
+use std::error::Error;
 use std::fs;
 
 use acrc_analysis::project::{FailOn, LoadError, LoadedProject, RunTarget, SimTime, load};
@@ -35,10 +36,12 @@ impl Place {
         load(self.root.join(path))
     }
 
-    /// The message of the error, without the place of the temporary directory.
+    /// The messages of the error and of what caused it, without the place of the temporary directory.
     fn error(&self) -> String {
         let error = self.load().expect_err("an error");
-        error.to_string().replace(self.root.as_str(), "machine").replace('\\', "/")
+        let causes = std::iter::successors(Some(&error as &dyn Error), |&error| error.source());
+        let chain: Vec<_> = causes.map(ToString::to_string).collect();
+        chain.join(": ").replace(self.root.as_str(), "machine").replace('\\', "/")
     }
 
     fn names(&self, project: &LoadedProject) -> Vec<(String, FileRole)> {
@@ -104,6 +107,16 @@ fn a_description_says_everything() {
 }
 
 #[test]
+fn a_time_without_a_unit_is_in_seconds() {
+    for (written, milliseconds) in [("5", 5000), ("2.5", 2500), ("0", 0), ("\"500ms\"", 500)] {
+        let config = format!("[sim]\nuntil = {written}\n");
+        let place = Place::new(&[("acrc.toml", config.as_str()), ("Prog0.8K", "")]);
+        let until = place.load().expect("a project").config.sim.until;
+        assert_eq!(until, Some(SimTime(std::time::Duration::from_millis(milliseconds))), "{written}");
+    }
+}
+
+#[test]
 fn a_single_file_is_a_project() {
     let place = Place::new(&[("Prog3.8K", "X10\n"), ("Prog4.8K", "")]);
     let project = place.load_at("Prog3.8K").expect("a project");
@@ -125,6 +138,9 @@ fn errors_name_the_path_and_the_reason() {
         case("broken", &[("acrc.toml", "[project\n")]),
         case("no program", &[("acrc.toml", "[sim]\nrun = [\"PROG16\"]\n")]),
         case("no time", &[("acrc.toml", "[sim]\nuntil = \"soon\"\n")]),
+        case("no time either", &[("acrc.toml", "[sim]\nuntil = -1\n")]),
+        case("no time at all", &[("acrc.toml", "[sim]\nuntil = true\n")]),
+        case("nothing listed", &[("acrc.toml", "[project]\nfiles = []\n"), ("Prog0.8K", "")]),
         case("listed and missing", &[("acrc.toml", "[project]\nfiles = [\"a.8K\"]\n")]),
         case("outside", &[("acrc.toml", "[project]\nfiles = [\"../machine/../machine/../..\"]\n")]),
     ];

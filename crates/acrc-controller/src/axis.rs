@@ -30,6 +30,8 @@ pub(crate) struct SlaveSlot {
 pub struct AxisStatistics {
     /// Distance travelled.
     pub travel: f64,
+    /// What [`AxisStatistics::travel`] is too large by, from rounding.
+    travel_error: f64,
     /// Highest speed, units/s.
     pub peak_velocity: f64,
     /// Highest acceleration, units/s^2. Steps of velocity, where a ramp is 0, do not count.
@@ -61,7 +63,11 @@ impl Axis {
 impl AxisStatistics {
     /// Takes in one tick of motion.
     pub(crate) fn record(&mut self, from: f64, to: f64, velocity: f64, acceleration: f64) {
-        self.travel += (to - from).abs();
+        // Compensated, since a long run sums up millions of small steps.
+        let step = (to - from).abs() - self.travel_error;
+        let travel = self.travel + step;
+        self.travel_error = (travel - self.travel) - step;
+        self.travel = travel;
         self.peak_velocity = self.peak_velocity.max(velocity.abs());
         self.peak_acceleration = self.peak_acceleration.max(acceleration.abs());
     }

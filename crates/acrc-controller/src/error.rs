@@ -8,8 +8,13 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ControllerError {
     /// The controller's text for a block that has memory already.
-    #[error("Re-dimensioned block")]
-    Redimensioned,
+    #[error("Re-dimensioned block: {block} has {bytes} bytes already; CLEAR frees them")]
+    Redimensioned {
+        /// What has memory.
+        block: String,
+        /// How much.
+        bytes: u32,
+    },
     /// A size that no block can have.
     #[error("the size must be between 1 and {limit}")]
     DimensionRange {

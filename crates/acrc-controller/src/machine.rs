@@ -171,7 +171,7 @@ impl Machine {
         if velocity > 0.0 {
             let velocity = rounded(velocity);
             self.notes.insert(format!(
-                "master {index}: a move ended at {velocity} units/s with nothing to follow it (STP 0), so its velocity dropped to zero at once"
+                "master {index}: a move ended at {velocity} units/s with nothing to follow it, so its velocity dropped to zero at once (STP 0, FVEL, or a path too short to slow down)"
             ));
         }
     }

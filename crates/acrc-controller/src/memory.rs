@@ -1,6 +1,7 @@
 //! System memory: what `DIM` at the `SYS` prompt has given to programs, user parameters and aliases (guide, "Memory Allocations").
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use acrc_catalog::Model;
 
@@ -34,6 +35,18 @@ pub(crate) enum Block {
     Stream(u8),
 }
 
+impl fmt::Display for Block {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Program(number) => write!(f, "PROG{number}"),
+            Self::Plc(number) => write!(f, "PLC{number}"),
+            Self::Parameters => f.write_str("P"),
+            Self::Aliases => f.write_str("DEF"),
+            Self::Stream(number) => write!(f, "STREAM{number}"),
+        }
+    }
+}
+
 /// The system's memory map.
 #[derive(Clone, Debug)]
 pub(crate) struct SystemMemory {
@@ -60,8 +73,8 @@ impl SystemMemory {
 
     /// Gives a block its memory. `size` is bytes for programs, PLCs and streams, and a count for parameters and aliases.
     pub(crate) fn dimension(&mut self, block: Block, size: i64) -> Result<(), ControllerError> {
-        if self.blocks.contains_key(&block) {
-            return Err(ControllerError::Redimensioned);
+        if let Some(bytes) = self.size(block) {
+            return Err(ControllerError::Redimensioned { block: block.to_string(), bytes });
         }
         let limit = if block == Block::Parameters { i64::from(USER_PARAMETERS) } else { i64::from(self.total) };
         let size = u32::try_from(size).ok().filter(|size| *size > 0 && i64::from(*size) <= limit);
@@ -128,7 +141,10 @@ mod tests {
     #[test]
     fn a_block_is_dimensioned_once_until_it_is_cleared() {
         let mut memory = memory();
-        assert!(matches!(memory.dimension(Block::Program(0), 100), Err(ControllerError::Redimensioned)));
+        assert!(matches!(
+            memory.dimension(Block::Program(0), 100),
+            Err(ControllerError::Redimensioned { bytes: 65_536, .. })
+        ));
         memory.clear();
         memory.dimension(Block::Program(0), 8192).expect("free");
         memory.dimension(Block::Parameters, 100).expect("free");

@@ -13,13 +13,15 @@ pub const SLICE_SECONDS: f64 = 0.001;
 pub struct Clock {
     /// Servo period in seconds (`PERIOD`).
     period: f64,
+    /// Ticks of a second, when they are a whole number: times are exact quotients then, without the error of the period.
+    ticks_per_second: Option<f64>,
     ticks: u64,
 }
 
 impl Clock {
     /// A clock at zero.
     pub fn new(period: f64) -> Self {
-        Self { period, ticks: 0 }
+        Self { period, ticks_per_second: whole_rate(period), ticks: 0 }
     }
 
     /// Servo period in seconds.
@@ -30,6 +32,7 @@ impl Clock {
     /// Changes the servo period. Only sensible while the count is zero.
     pub(crate) fn set_period(&mut self, period: f64) {
         self.period = period;
+        self.ticks_per_second = whole_rate(period);
     }
 
     /// Ticks since power-up.
@@ -39,7 +42,10 @@ impl Clock {
 
     /// Seconds since power-up.
     pub fn seconds(self) -> f64 {
-        self.ticks as f64 * self.period
+        match self.ticks_per_second {
+            Some(rate) => self.ticks as f64 / rate,
+            None => self.ticks as f64 * self.period,
+        }
     }
 
     /// The first tick that is not before `seconds`. A tick that misses it by less than a millionth of a period counts as reaching it, since
@@ -58,6 +64,11 @@ impl Clock {
     pub(crate) fn advance(&mut self, ticks: u64) {
         self.ticks += ticks;
     }
+}
+
+fn whole_rate(period: f64) -> Option<f64> {
+    let rate = (1.0 / period).round();
+    ((rate * period - 1.0).abs() < 1e-12).then_some(rate)
 }
 
 /// A duration that cannot be read.

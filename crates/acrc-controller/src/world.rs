@@ -47,15 +47,15 @@ pub struct World {
 #[derive(Debug, Error)]
 pub enum WorldError {
     /// Not TOML, or a key that is unknown or of the wrong type.
-    #[error("{0}")]
+    #[error(transparent)]
     Toml(#[from] Box<toml::de::Error>),
     /// A time that cannot be read.
-    #[error("event {event}: {source}")]
+    #[error("event {event}: {problem}")]
     Time {
         /// Position in the file, from 1.
         event: usize,
         /// Why.
-        source: crate::time::DurationError,
+        problem: crate::time::DurationError,
     },
     /// A time that no run reaches.
     #[error("event {event}: a time of {at} seconds is not possible")]
@@ -178,7 +178,7 @@ fn onboard(number: i64, place: impl FnOnce() -> String) -> Result<u32, WorldErro
 fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) -> Result<WorldEvent, WorldError> {
     let at = match &file.at {
         TimeFile::Seconds(seconds) => *seconds,
-        TimeFile::Text(text) => parse_duration(text).map_err(|source| WorldError::Time { event, source })?,
+        TimeFile::Text(text) => parse_duration(text).map_err(|problem| WorldError::Time { event, problem })?,
     };
     if !(at.is_finite() && (0.0..=1e9).contains(&at)) {
         return Err(WorldError::Unreachable { event, at });

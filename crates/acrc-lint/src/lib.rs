@@ -8,6 +8,7 @@
 //! the project's symbols that the file uses, so that its findings can be remembered. What rests on a row of the
 //! catalogue of low confidence is never an error.
 
+mod consequences;
 mod context;
 mod flow;
 mod near_command;

@@ -7,6 +7,7 @@ use acrc_diagnostics::Diagnostic;
 use acrc_syntax::ast::{Expr, Statement};
 
 use crate::Context;
+use crate::consequences::Consequences;
 use crate::registry::RULES;
 use crate::rule::{Check, On};
 
@@ -19,7 +20,7 @@ struct Plan {
     section: Vec<fn(&mut Context<'_>, &SectionIndex)>,
     statement: Vec<fn(&mut Context<'_>, &Statement)>,
     /// By [`On`].
-    expression: [Vec<CheckExpression>; 4],
+    expression: [Vec<CheckExpression>; On::COUNT],
 }
 
 static PLAN: LazyLock<Plan> = LazyLock::new(|| {
@@ -63,7 +64,9 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
             }
         });
     }
+    let consequences = Consequences::new(file);
     let mut found = context.into_findings();
+    found.retain(|finding| !consequences.hide(finding));
     found.extend_from_slice(file.tree.errors());
     found
 }

@@ -82,17 +82,23 @@ pub(crate) enum On {
     Alias,
     /// Functions and operators with two sides.
     Compound,
+    /// Texts.
+    Text,
 }
 
 impl On {
-    /// The kind of an expression. Texts, parentheses and what could not be read are nobody's business.
+    /// How many kinds there are.
+    pub(crate) const COUNT: usize = Self::Text as usize + 1;
+
+    /// The kind of an expression. Parentheses and what could not be read are nobody's business.
     pub(crate) fn of(expr: &Expr) -> Option<Self> {
         match expr.kind {
             ExprKind::Integer(_) | ExprKind::Real(_) | ExprKind::Unary(..) => Some(Self::Number),
             ExprKind::Operand(_) => Some(Self::Operand),
             ExprKind::Alias => Some(Self::Alias),
             ExprKind::Binary(..) | ExprKind::Call(..) => Some(Self::Compound),
-            ExprKind::String(_) | ExprKind::Paren(_) | ExprKind::Error => None,
+            ExprKind::String(_) => Some(Self::Text),
+            ExprKind::Paren(_) | ExprKind::Error => None,
         }
     }
 }

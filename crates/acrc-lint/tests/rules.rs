@@ -78,6 +78,30 @@ fn bad_examples_as_a_user_sees_them() {
     insta::assert_snapshot!(page);
 }
 
+/// What the linter and the compiler report under the same code.
+fn both_report(code: &str, program: &str) -> [bool; 2] {
+    [lint(program), compile(program)].map(|found| found.iter().any(|diagnostic| diagnostic.code.id == code))
+}
+
+#[test]
+fn linter_and_compiler_agree_on_the_characters_of_a_text() {
+    let characters = (0x80..0x600).chain(0x2000..0x2300).filter_map(char::from_u32);
+    for character in characters.chain(['\u{ffff}', '\u{1f600}']) {
+        let [lint, compile] = both_report("ACR026", &format!("PROG0\nPROGRAM\nPRINT \"{character}.\"\nENDP"));
+        assert_eq!(lint, compile, "{:x}", u32::from(character));
+    }
+}
+
+#[test]
+fn linter_and_compiler_agree_on_what_an_alias_stands_for() {
+    let operands = "P1 BIT24 LV0 $V0 LA0 LA0(1) $A0(1) P(1+2) P(Other) Other -P1 +P1 -5 +5 (5) -(5) (-5) ((P1)) (P1+1) \
+                    NOT5 SQRT(4) \"text\" (\"text\") 1.5 ENC0";
+    for operand in operands.split_whitespace() {
+        let [lint, compile] = both_report("ACR030", &format!("#DEFINE Name {operand}"));
+        assert_eq!(lint, compile, "{operand}");
+    }
+}
+
 #[test]
 fn codes_and_names_are_unique_and_in_order() {
     let ids: Vec<_> = acrc_lint::rules().map(|doc| doc.code.id).collect();

@@ -14,6 +14,8 @@ pub const MAX_BYTES: usize = 256 << 20;
 const UTF8_BOM: [u8; 3] = [0xEF, 0xBB, 0xBF];
 const UTF16_LE_BOM: [u8; 2] = [0xFF, 0xFE];
 const UTF16_BE_BOM: [u8; 2] = [0xFE, 0xFF];
+/// Ctrl-Z, the end of a text in files of CP/M and DOS.
+const END_MARK: u8 = 0x1A;
 
 /// A source text decoded from the bytes of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -22,6 +24,9 @@ pub struct SourceText {
     pub text: String,
     /// How the bytes were read.
     pub encoding: Encoding,
+    /// A Ctrl-Z ends the file, as old editors leave it. It is no part of the text, because on its way to a controller
+    /// it would stop all motion there, but it is written back.
+    pub end_mark: bool,
 }
 
 /// How a text is written as bytes.
@@ -59,7 +64,8 @@ pub enum DecodeError {
 }
 
 impl SourceText {
-    /// Reads the bytes of a file: by their byte order mark, else as UTF-8, else in the Windows code page.
+    /// Reads the bytes of a file: by their byte order mark, else as UTF-8, else in the Windows code page. One Ctrl-Z as
+    /// the last byte ends the text.
     ///
     /// # Errors
     /// Control characters other than tab, form feed and line breaks, broken UTF-16, and files above [`MAX_BYTES`].
@@ -73,6 +79,8 @@ impl SourceText {
         if bytes.starts_with(&UTF16_BE_BOM) {
             return decode_utf16(bytes, Encoding::Utf16Be);
         }
+        let marked = bytes.strip_suffix(&[END_MARK]);
+        let bytes = marked.unwrap_or(bytes);
         if let Some(offset) = bytes.iter().position(|&byte| is_refused(byte)) {
             return Err(DecodeError::Binary { offset });
         }
@@ -85,13 +93,19 @@ impl SourceText {
                 (text.into_owned(), Encoding::Windows1252)
             }
         };
-        Ok(Self { text, encoding })
+        Ok(Self { text, encoding, end_mark: marked.is_some() })
     }
 
     /// The text as bytes: exactly what was read, as long as the text was not changed. A changed text with characters
     /// that the Windows code page lacks is written as UTF-8.
     #[must_use]
     pub fn encode(&self) -> Vec<u8> {
+        let mut bytes = self.encoded_text();
+        bytes.extend(self.end_mark.then_some(END_MARK));
+        bytes
+    }
+
+    fn encoded_text(&self) -> Vec<u8> {
         match self.encoding {
             Encoding::Utf8 => self.text.clone().into_bytes(),
             Encoding::Utf8Bom => [UTF8_BOM.as_slice(), self.text.as_bytes()].concat(),
@@ -154,7 +168,7 @@ fn decode_utf16(bytes: &[u8], encoding: Encoding) -> Result<SourceText, DecodeEr
         }
         offset += 2 * character.len_utf16();
     }
-    Ok(SourceText { text: text.into_owned(), encoding })
+    Ok(SourceText { text: text.into_owned(), encoding, end_mark: false })
 }
 
 /// Offset in the file of the first code unit of UTF-16 that is not a character.

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::rendered;
+use support::{checked, rendered};
 
 macro_rules! message {
     ($name:ident, $source:expr) => {
@@ -47,5 +47,19 @@ message!(size_without_parentheses, "DIM LV10\nDIM $V 2 80");
 message!(typographic_characters, "PRINT \u{201C}a\u{201D} : INH \u{2013}516\n\u{2018} note\nX\u{A0}5");
 message!(left_out_lines, "\u{2026}");
 message!(unknown_character, "@home : VEL 5");
+message!(unknown_function, "P0=FOO(1)\nP3=INT(2.7)\nX(Rate(2)) Y5");
+message!(based_numbers, "P0=0x1F\nPRINT 0b101; 5\nSET 0x20\nP0=0xFFFFFFFFFF\nIF (P0 = 0XAB) THEN SET 32");
+message!(ends_of_other_languages, "FOR LV0=1 TO 3\nNEXT LV0\nIF (BIT 24)\nEND IF");
+message!(assignment_of_other_languages, "P0 := 1\nReady := 1 : SET 32");
+message!(target_missing, "X\"a\"\nX\u{2026}\nPRNT\"a\"");
 message!(too_deep, &format!("P0 = {}1", "(".repeat(300)));
 message!(too_long, &format!("P0 = 1{}", " + 1".repeat(300)));
+
+#[test]
+fn an_axis_may_touch_the_zero_before_it() {
+    for source in
+        ["P0=0X1", "X0Y0x5", "Y0X100", "HLIM X0Y0", "P0=0B1", "P0=0BX5", "X/Dist Y5", "X/ Distance", "NEXT P0=1", "END"]
+    {
+        assert_eq!(checked(source).errors(), [], "{source}");
+    }
+}

@@ -46,10 +46,21 @@ fn both_orders_of_wide_text_are_read() {
 }
 
 #[test]
+fn a_ctrl_z_ends_a_file_and_is_no_part_of_the_text() {
+    for (bytes, text) in [(&b"X5\r\n\x1A"[..], "X5\r\n"), (b"REM \xB0\x1A", "REM \u{B0}"), (b"\xEF\xBB\xBF\x1A", "")] {
+        let source = decoded(bytes);
+        assert!(source.end_mark);
+        assert_eq!(source.text, text);
+    }
+    assert!(!decoded(b"X5\r\n").end_mark);
+}
+
+#[test]
 fn what_is_no_text_is_refused_at_its_first_such_byte() {
     let refused = |bytes: &[u8]| SourceText::decode(bytes).expect_err("no text");
     assert_eq!(refused(b"VEL\x005"), DecodeError::Binary { offset: 3 });
-    assert_eq!(refused(b"X5\x1A"), DecodeError::Binary { offset: 2 }, "Ctrl-Z kills all motion on a controller");
+    assert_eq!(refused(b"X5\x1A\n"), DecodeError::Binary { offset: 2 }, "Ctrl-Z kills all motion on a controller");
+    assert_eq!(refused(b"X5\x1A\x1A"), DecodeError::Binary { offset: 2 }, "one is enough to end a file");
     assert_eq!(refused(b"\x7F"), DecodeError::Binary { offset: 0 });
     assert_eq!(refused(b"\xFF\xFEX\x00\x03\x00"), DecodeError::Binary { offset: 4 });
     assert_eq!(refused(b"\xFF\xFEX\x00\x00\xD8Y\x00"), DecodeError::Binary { offset: 4 });

@@ -131,13 +131,13 @@ pub(crate) struct SimArguments {
     #[arg(long, value_name = "world.toml")]
     pub(crate) world: Option<PathBuf>,
     /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]
-    #[arg(long, value_name = "TIME", value_parser = parse_time)]
+    #[arg(long, value_name = "TIME", value_parser = parse_time, allow_hyphen_values = true)]
     pub(crate) until: Option<f64>,
     /// Write position, velocity and acceleration of every axis and the inputs and outputs used
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) trace: Option<PathBuf>,
     /// Virtual time between two rows of the trace
-    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = parse_time)]
+    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = parse_time, allow_hyphen_values = true)]
     pub(crate) trace_every: f64,
     /// Draw the run
     #[arg(long, value_name = "FILE.svg")]

@@ -66,38 +66,92 @@ impl Terminal {
     }
 }
 
-/// Writes to standard output and tells whether that worked, up to the last byte.
+/// Writes to standard output and tells whether that worked, up to the last byte. A reader that went away (`acrc lint | head`) is no error.
 pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
-    write(&mut out).and_then(|()| out.flush()).context("cannot write to standard output")
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            // What could not be written is not tried again when the buffer goes.
+            drop(out.into_parts());
+            Err(error).context("cannot write to standard output")
+        }
+        _ => {
+            drop(out.into_parts());
+            Ok(())
+        }
+    }
 }
 
-/// A file that appears under its name only when it is complete: it is written beside its place and renamed.
+/// A file that appears under its name only when it is complete: it is written beside its place and renamed. A device or a pipe is written in
+/// place, since it is not to be replaced.
 #[derive(Debug)]
 pub(crate) struct OutputFile {
     path: PathBuf,
-    file: BufWriter<NamedTempFile>,
+    file: BufWriter<Place>,
+}
+
+#[derive(Debug)]
+enum Place {
+    Beside(NamedTempFile),
+    Direct(File),
 }
 
 impl OutputFile {
     /// Begins a file. Fails at once when its folder does not exist or cannot be written.
     pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
         let refuse = || format!("cannot write {}", path.display());
-        if path.is_dir() {
-            anyhow::bail!("{}: it is a directory", refuse());
-        }
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let file = tempfile::Builder::new().prefix(".acrc-").tempfile_in(folder).with_context(refuse)?;
-        Ok(Self { path: path.to_owned(), file: BufWriter::with_capacity(1 << 16, file) })
+        // A link keeps pointing where it points; its target is what is written.
+        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let place = match target.metadata() {
+            Ok(found) if found.is_dir() => anyhow::bail!("{}: it is a directory", refuse()),
+            Ok(found) if !found.is_file() => {
+                Place::Direct(File::options().write(true).open(&target).with_context(refuse)?)
+            }
+            _ => {
+                let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                let file = tempfile::Builder::new().prefix(".acrc-").tempfile_in(folder);
+                Place::Beside(file.map_err(|error| without_path(&error)).with_context(refuse)?)
+            }
+        };
+        Ok(Self { path: target, file: BufWriter::with_capacity(1 << 16, place) })
     }
 
     /// Gives the complete file its name.
     pub(crate) fn finish(self) -> anyhow::Result<()> {
         let refuse = || format!("cannot write {}", self.path.display());
-        let file = self.file.into_inner().map_err(io::IntoInnerError::into_error).with_context(refuse)?;
-        give_usual_permissions(file.as_file()).with_context(refuse)?;
-        file.persist(&self.path).map_err(|error| error.error).with_context(refuse)?;
-        Ok(())
+        match self.file.into_inner().map_err(|error| without_path(&error.into_error())).with_context(refuse)? {
+            Place::Direct(mut file) => file.flush().with_context(refuse),
+            Place::Beside(file) => {
+                give_usual_permissions(file.as_file()).with_context(refuse)?;
+                file.persist(&self.path).map_err(|error| without_path(&error.error)).with_context(refuse)?;
+                Ok(())
+            }
+        }
+    }
+}
+
+/// An error without the name of the temporary file, which says nothing to the user.
+fn without_path(error: &io::Error) -> io::Error {
+    let code = error.raw_os_error().or_else(|| {
+        let inner = error.get_ref().and_then(std::error::Error::source)?;
+        inner.downcast_ref::<io::Error>()?.raw_os_error()
+    });
+    code.map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error)
+}
+
+impl Write for Place {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Beside(file) => file.write(bytes).map_err(|error| without_path(&error)),
+            Self::Direct(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Beside(file) => file.flush().map_err(|error| without_path(&error)),
+            Self::Direct(file) => file.flush(),
+        }
     }
 }
 
@@ -109,6 +163,24 @@ impl Write for OutputFile {
     fn flush(&mut self) -> io::Result<()> {
         self.file.flush()
     }
+}
+
+/// Refuses outputs that would replace what is read, or each other.
+pub(crate) fn refuse_clashes(outputs: &[&Path], inputs: &[PathBuf]) -> anyhow::Result<()> {
+    let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| std::path::absolute(path).unwrap_or_default());
+    let inputs: Vec<PathBuf> = inputs.iter().map(|path| real(path)).collect();
+    let mut seen: Vec<PathBuf> = Vec::new();
+    for output in outputs {
+        let target = real(output);
+        if inputs.contains(&target) {
+            anyhow::bail!("{} is a file of the project: it would be replaced", output.display());
+        }
+        if seen.contains(&target) {
+            anyhow::bail!("{} is named for two outputs", output.display());
+        }
+        seen.push(target);
+    }
+    Ok(())
 }
 
 /// A temporary file is private; a result is for everybody who may read the folder.

@@ -52,7 +52,7 @@ fn aliases_that_name_each_other_are_refused() {
     bench.file("loop.8K", "#DEFINE First Second\n#DEFINE Second First\nPROG0\nPROGRAM\nFirst = 5\nENDP\n");
     let run = bench.acrc(["lint", "loop.8K"]).expect(1);
     assert!(run.stdout.contains("2 errors in 1 file"), "{}", run.stdout);
-    assert!(run.stdout.contains("another alias"), "{}", run.stdout);
+    assert!(run.stdout.contains("stands for another name"), "{}", run.stdout);
 }
 
 #[test]
@@ -178,6 +178,66 @@ fn output_that_cannot_be_written_leaves_no_half_file() {
     let names = std::fs::read_dir(bench.folder.path()).expect("readable");
     let left: Vec<_> = names.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
     assert!(left.iter().all(|name| !name.starts_with(".acrc-")), "{left:?}");
+}
+
+#[test]
+fn outputs_never_replace_what_is_read() {
+    let bench = Bench::new();
+    bench.file("clean.8K", CLEAN);
+    bench.acrc(["build", "clean.8K", "-o", "clean.8K"]).expect(2);
+    bench.acrc(["sim", "clean.8K", "--run", "PROG0", "--trace", "./clean.8K"]).expect(2);
+    assert_eq!(std::fs::read_to_string(bench.path("clean.8K")).expect("still there"), CLEAN);
+    let twice = bench.acrc(["sim", "clean.8K", "--run", "PROG0", "--trace", "a", "--plot", "a"]).expect(2);
+    assert!(twice.stderr.contains("two outputs"), "{}", twice.stderr);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_keeps_pointing_where_it_points() {
+    let bench = Bench::new();
+    bench.file("clean.8K", CLEAN);
+    bench.file("real.csv", "old");
+    std::os::unix::fs::symlink(bench.path("real.csv"), bench.path("link.csv")).expect("links are possible");
+    bench.acrc(["sim", "clean.8K", "--run", "PROG0", "--trace", "link.csv"]).expect(0);
+    assert!(bench.path("link.csv").is_symlink());
+    let written = std::fs::read_to_string(bench.path("real.csv")).expect("readable");
+    assert!(written.starts_with("time_s,"), "{written}");
+}
+
+#[test]
+fn a_project_that_the_linter_refuses_is_not_built() {
+    let bench = Bench::new();
+    bench.file("open.8K", "PROG0\nPROGRAM\nWHILE (BIT 10)\nENDP\n");
+    let run = bench.acrc(["build", "open.8K", "-o", "open.acrx"]).expect(1);
+    assert!(run.stderr.contains("ACR110"), "{}", run.stderr);
+    assert!(!bench.path("open.acrx").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing_behind() {
+    let bench = Bench::new();
+    bench.file("poll.8K", "PROG0\nPROGRAM\n_on\nGOTO on\nENDP\n");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_acrc"))
+        .args(["sim", "poll.8K", "--run", "PROG0", "--until", "10000h", "--trace", "t.csv"])
+        .current_dir(bench.folder.path())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .expect("acrc starts");
+    // The trace is begun once its temporary file is there; the run watches for signals from then on.
+    let begun = || {
+        let names = std::fs::read_dir(bench.folder.path()).expect("readable");
+        names.filter_map(|entry| entry.ok()?.metadata().ok()).any(|found| found.len() > 1 << 16)
+    };
+    while !begun() {
+        assert!(child.try_wait().expect("a child").is_none(), "the run goes on until it is interrupted");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let killed = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
+    assert!(killed.expect("kill is part of every Unix").success());
+    assert_eq!(child.wait().expect("a child").code(), Some(130));
+    let left = std::fs::read_dir(bench.folder.path()).expect("readable").count();
+    assert_eq!(left, 1, "only the program is there");
 }
 
 #[test]

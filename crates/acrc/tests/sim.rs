@@ -73,6 +73,35 @@ fn what_is_unconfirmed_is_said_once() {
 }
 
 #[test]
+fn the_last_row_of_a_trace_is_the_state_at_the_end() {
+    let bench = Bench::new();
+    bench.file("end.8K", one_axis("X1\nSET 34\nINH -516\nCLR 34"));
+    let report = bench.sim("end.8K --run PROG0 --trace t.csv --trace-every 30ms --read BIT34");
+    let trace = Csv::read(&bench.path("t.csv"));
+    let (time, position, output) = (trace.column("time_s"), trace.column("X.position"), trace.column("BIT34"));
+    assert_eq!((output.first(), output.last(), &report["values"]["BIT34"]), (Some(&1.0), Some(&0.0), &json!(0)));
+    assert_eq!((time.last().copied(), position.last().copied()), (report["virtual_seconds"].as_f64(), Some(1.0)));
+}
+
+#[test]
+fn an_axis_that_the_model_does_not_have_is_a_fault_and_no_more() {
+    let bench = Bench::new();
+    bench.file("far.8K", "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS12 \"X\"\nPROGRAM\nPRINT \"on\"\nENDP\n");
+    let run = bench.acrc(["sim", "far.8K", "--run", "PROG0", "--trace", "t.csv", "--plot", "p.svg"]).expect(1);
+    assert!(run.stdout.contains("AXIS12 does not exist"), "{}", run.stdout);
+    let report = bench.sim("far.8K --run PROG0");
+    assert_eq!(report["stopped"], "ended", "the program itself went well");
+}
+
+#[test]
+fn interpolated_moves_are_refused_before_the_run() {
+    let bench = Bench::new();
+    bench.file("sine.8K", one_axis("PRINT \"never\"\nX2 SINE X(0,90,90,100)"));
+    let run = bench.acrc(["sim", "sine.8K", "--run", "PROG0"]).expect(2);
+    assert!(run.stderr.contains("sine.8K:9: SINE"), "{}", run.stderr);
+}
+
+#[test]
 fn moves_without_stop_ramp_merge() {
     let bench = Bench::new();
     bench.file("blend.8K", one_axis("STP 0\nX20\nX60\nSTP 10\nX80"));

@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 
 use super::{
     AliasOperand, Attachment, AttachmentKind, AttachmentSite, DefineSite, Exports, FileIndex, Jump, LabelSite,
-    LineSite, Name, SectionIndex, Sequence,
+    LineSite, Name, SectionIndex, Sequence, Swallowed, section,
 };
 use crate::{FileRole, walk};
 
@@ -73,7 +73,8 @@ impl<'a> Builder<'a> {
         }
         labels.sort_by_key(|label: &LabelSite| (self.slice(label.name), label.statement));
         let lines = self.line_numbers(&section);
-        let mut section = SectionIndex { section, labels, lines, jumps, blocks };
+        let swallowed = Swallowed::find(self.tree, &section);
+        let mut section = SectionIndex { section, labels, lines, jumps, blocks, swallowed };
         section.resolve_jumps(self.text);
         index.sections.push(section);
     }
@@ -85,7 +86,7 @@ impl<'a> Builder<'a> {
     }
 
     fn command(&mut self, at: u32, statement: &Statement, command: &Command, place: &Place<'_>, index: &mut FileIndex) {
-        self.exports.switches_level |= [command::PROG, command::PLC, command::SYS].contains(&command.id);
+        self.exports.switches_level |= section::SWITCHES.contains(&command.id);
         if let Some((kind, site)) = self.attachment(statement, command) {
             let &Place { level, sequence, blocks, behind_then } = place;
             let conditional = behind_then || blocks.enclosing(at).is_some();

@@ -13,7 +13,7 @@ use acrc_syntax::Tree;
 use acrc_syntax::ast::StatementKind;
 
 pub use exports::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name, Sequence, operand_text};
-pub use section::{Jump, LabelSite, LineSite, SectionIndex};
+pub use section::{Jump, LabelSite, LineSite, SectionIndex, Swallowed};
 
 use crate::FileRole;
 

@@ -1,7 +1,9 @@
 //! Sections of a file with their labels, line numbers, jumps and blocks.
 
+use acrc_catalog::{CommandId, command};
 use acrc_diagnostics::Span;
-use acrc_syntax::ast::Target;
+use acrc_syntax::Tree;
+use acrc_syntax::ast::{StatementKind, Target};
 use acrc_syntax::blocks::Blocks;
 use acrc_syntax::units::Section;
 
@@ -18,7 +20,40 @@ pub struct SectionIndex {
     pub jumps: Vec<Jump>,
     /// Its blocks.
     pub blocks: Blocks,
+    /// Another program in it, when its own `ENDP` was forgotten.
+    pub swallowed: Option<Swallowed>,
 }
+
+/// A program that is stored as a part of the one before it, which was not closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Swallowed {
+    /// The first statement that was meant to stand outside: the switch of the prompt before the inner `PROGRAM`, or that
+    /// `PROGRAM` itself.
+    pub first: u32,
+    /// The inner `PROGRAM`.
+    pub program: u32,
+}
+
+impl Swallowed {
+    /// Looks for a `PROGRAM` between the `PROGRAM` and the `ENDP` of a section.
+    pub(super) fn find(tree: &Tree, section: &Section) -> Option<Self> {
+        section.opener?;
+        let mut switch = None;
+        for at in section.statements.clone() {
+            let StatementKind::Command(command) = &tree.statements().get(at as usize)?.kind else { continue };
+            if command.id == command::PROGRAM {
+                return Some(Self { first: switch.unwrap_or(at), program: at });
+            }
+            if SWITCHES.contains(&command.id) {
+                switch.get_or_insert(at);
+            }
+        }
+        None
+    }
+}
+
+/// The commands that switch the prompt.
+pub(super) const SWITCHES: [CommandId; 3] = [command::PROG, command::PLC, command::SYS];
 
 /// The definition of a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

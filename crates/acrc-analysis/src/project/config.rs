@@ -96,10 +96,33 @@ impl TryFrom<String> for RunTarget {
     }
 }
 
-/// A stretch of simulated time: `"60s"`, `"500ms"`, `"2min"`, `"1h"`.
+/// A stretch of simulated time: `"60s"`, `"500ms"`, `"2min"`, `"1h"`; a bare number is seconds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(try_from = "String")]
+#[serde(try_from = "WrittenTime")]
 pub struct SimTime(pub Duration);
+
+/// A time as `acrc.toml` may have it.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "expected a time: seconds, or a text such as \"60s\", \"500ms\", \"2min\" or \"1h\"")]
+enum WrittenTime {
+    /// Seconds; a whole number is one of these too.
+    Seconds(f64),
+    /// A number with its unit.
+    Text(String),
+}
+
+impl TryFrom<WrittenTime> for SimTime {
+    type Error = String;
+
+    fn try_from(written: WrittenTime) -> Result<Self, Self::Error> {
+        match written {
+            WrittenTime::Seconds(seconds) => Duration::try_from_secs_f64(seconds)
+                .map(Self)
+                .map_err(|_| format!("{seconds} is no time: seconds are not negative and not beyond all measure")),
+            WrittenTime::Text(text) => Self::try_from(text),
+        }
+    }
+}
 
 /// Units of [`SimTime`] in seconds; the longer suffix first where one ends like another.
 const TIME_UNITS: [(&str, f64); 4] = [("ms", 0.001), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];

@@ -40,6 +40,9 @@ pub(super) fn listed(
     root: &Utf8Path,
     listed: &[Utf8PathBuf],
 ) -> Result<Vec<Utf8PathBuf>, LoadError> {
+    if listed.is_empty() {
+        return Err(LoadError::NothingListed { config: config.to_owned() });
+    }
     let canonical = |path: &Utf8Path| files.canonical(path).map_err(|source| super::io_error(path, source));
     let inside = canonical(here(root))?;
     listed

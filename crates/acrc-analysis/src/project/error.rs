@@ -27,7 +27,7 @@ pub enum LoadError {
         directory: Utf8PathBuf,
     },
     /// The bytes are no text.
-    #[error("`{path}` can't be read as a program: {source}")]
+    #[error("`{path}` can't be read as a program")]
     Decode {
         /// The file.
         path: Utf8PathBuf,
@@ -51,7 +51,7 @@ pub enum LoadError {
         path: Utf8PathBuf,
     },
     /// The operating system refuses.
-    #[error("`{path}` can't be read: {source}")]
+    #[error("`{path}` can't be read")]
     Unreadable {
         /// The path.
         path: Utf8PathBuf,
@@ -77,6 +77,14 @@ pub enum LoadError {
         suggestion: Option<&'static str>,
         /// All known names.
         known: Vec<&'static str>,
+    },
+    /// The list of files is empty.
+    #[error(
+        "`{config}` lists no file: name the files of the project, or leave `files` out to find them by their names"
+    )]
+    NothingListed {
+        /// The project description.
+        config: Utf8PathBuf,
     },
     /// A listed file is not there.
     #[error("`{config}` lists `{file}`, which does not exist")]

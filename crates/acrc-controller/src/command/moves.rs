@@ -22,10 +22,6 @@ fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
         return Ok(Outcome::Again);
     }
     let settings = context.machine.masters[master].settings;
-    if settings.velocity == 0.0 {
-        let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
-        return Err(ControllerError::BadValue { command: call.command.info().name, problem });
-    }
     let mut next = Move::new(settings);
     for argument in call.arguments {
         let (slot, target) = context.target(program, call, argument)?;
@@ -33,6 +29,10 @@ fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
             let problem = format!("the axis in SLAVE{slot} is given two targets");
             return Err(ControllerError::BadValue { command: call.command.info().name, problem });
         }
+    }
+    if settings.velocity == 0.0 {
+        let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
+        return Err(ControllerError::BadValue { command: call.command.info().name, problem });
     }
     let result = context.machine.masters[master].profiler.push(&next);
     match result {
@@ -59,10 +59,10 @@ impl Context<'_> {
             }
             _ => return Err(ControllerError::Expected { command, expected: "axis names with targets" }),
         };
-        let ArgValue::Value(value) = value else {
-            return Err(ControllerError::Expected { command, expected: "one target an axis" });
-        };
         let axis = self.machine.named_axis(program, name)?;
+        let ArgValue::Value(value) = value else {
+            return Err(ControllerError::Expected { command, expected: "one target behind each axis" });
+        };
         let slave = self.machine.axes[usize::from(axis)].slave;
         let slave = slave.ok_or(ControllerError::UnknownAxis { program, name: name.to_string() })?;
         let value = real(command, value)?;

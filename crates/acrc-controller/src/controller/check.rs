@@ -1,7 +1,7 @@
 //! What an image asks for that this controller does not do; known before a run begins.
 
 use acrc_catalog::{CommandId, command};
-use acrc_image::{Image, Unit, UnitName};
+use acrc_image::{Image, Node, Unit, UnitName};
 use thiserror::Error;
 
 use super::Controller;
@@ -28,12 +28,17 @@ impl Controller {
         let mut found = Vec::new();
         for unit in std::iter::once(&image.boot).chain(image.programs.iter().filter(wanted)) {
             for instruction in unit.decode().unwrap_or_default() {
-                if executed(instruction.command) {
+                let parts = instruction.items.iter().filter_map(|item| match item.node {
+                    Node::Interpolation(command) => Some(command),
+                    _ => None,
+                });
+                let Some(command) = std::iter::once(instruction.command).chain(parts).find(|part| !executed(*part))
+                else {
                     continue;
-                }
+                };
                 let place = unit.debug.as_ref().and_then(|debug| debug.locate(instruction.address));
                 found.push(Unsupported {
-                    command: instruction.command,
+                    command,
                     unit: unit.name,
                     file: place.and_then(|place| image.files.get(place.file as usize).cloned()),
                     line: place.map(|place| place.line),

@@ -12,7 +12,7 @@ pub trait Observer {
     fn fault(&mut self, fault: &FaultReport);
     /// The world has changed inputs.
     fn event(&mut self, seconds: f64, event: &WorldEvent, view: &View);
-    /// A tick is over, or the run is at time zero with its setup code executed as far as it got at once.
+    /// A tick is over: the machine has moved and a program has had its slice. The first one is at time zero.
     fn tick(&mut self, view: &View);
     /// Whether [`Observer::tick`] is to be called for ticks in which nothing happens, too. Without, an hour of waiting costs no time.
     fn watches_every_tick(&self) -> bool {

@@ -2,13 +2,27 @@
 
 use acrc_catalog::law;
 use acrc_image::UnitName;
-use acrc_vm::{Code, Doubt, Unconfirmed};
+use acrc_vm::{Code, Doubt, LoadError, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
 use crate::machine::Request;
 use crate::orders::Order;
 use crate::program::{Program, State};
+use crate::report::FaultReport;
+
+/// Why a program is not stored.
+enum Refusal {
+    Controller(ControllerError),
+    /// The text of this program cannot be executed.
+    Code(u8, LoadError),
+}
+
+impl From<ControllerError> for Refusal {
+    fn from(error: ControllerError) -> Self {
+        Self::Controller(error)
+    }
+}
 
 impl Controller {
     pub(super) fn apply_requests(&mut self, observer: &mut dyn Observer) {
@@ -31,10 +45,15 @@ impl Controller {
             }
             Request::ClearAllLocals => self.programs.iter_mut().for_each(|program| program.locals.clear()),
             Request::Install(index) => {
-                if let Err(message) = self.install(index) {
+                if let Err(refusal) = self.install(index) {
                     self.faulted = true;
-                    let location = self.boot.code.location(self.boot.statement);
-                    let report = self.fault_report(None, location, message);
+                    let report = match refusal {
+                        Refusal::Code(number, error) if error.location.source_line() > 0 => {
+                            self.fault_report(Some(number), error.location, error.kind.to_string())
+                        }
+                        Refusal::Code(_, error) => self.setup_fault(error.to_string()),
+                        Refusal::Controller(error) => self.setup_fault(error.to_string()),
+                    };
                     observer.fault(&report);
                 }
             }
@@ -42,8 +61,13 @@ impl Controller {
         self.update_program_flags();
     }
 
+    /// A fault at the present statement of the setup code.
+    fn setup_fault(&self, message: String) -> FaultReport {
+        self.fault_report(None, self.boot.code.location(self.boot.statement), message)
+    }
+
     /// Stores a program's text in its space.
-    fn install(&mut self, index: usize) -> Result<(), String> {
+    fn install(&mut self, index: usize) -> Result<(), Refusal> {
         let Some(unit) = self.image.programs.get(index) else { return Ok(()) };
         let UnitName::Program(number) = unit.name else {
             self.machine
@@ -53,14 +77,14 @@ impl Controller {
         };
         let Some(program) = self.programs.get_mut(usize::from(number)) else {
             let last = self.machine.model.programs.saturating_sub(1);
-            return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.to_string());
+            return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.into());
         };
         let available = self.machine.space(number);
         let needed = u64::from(unit.memory());
         if needed > available {
-            return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.to_string());
+            return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.into());
         }
-        let code = Code::load(unit, &self.image.aliases).map_err(|error| error.to_string())?;
+        let code = Code::load(unit, &self.image.aliases).map_err(|error| Refusal::Code(number, error))?;
         self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt)));
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);

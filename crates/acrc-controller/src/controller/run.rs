@@ -38,12 +38,10 @@ impl Controller {
                     self.apply(Request::Run(*program), observer);
                 }
             }
-            if self.machine.clock.ticks() == 0 {
-                observer.tick(&self.view());
-            }
             if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
                 self.slice(observer);
             }
+            observer.tick(&self.view());
             if self.is_over() {
                 self.machine.settle();
                 return Stopped::Ended;
@@ -73,7 +71,6 @@ impl Controller {
         if self.report_events(observer) || moving {
             self.changes += 1;
         }
-        observer.tick(&View { machine: &self.machine });
     }
 
     /// Lets time pass up to a tick before which nothing happens. The slices on the way are given out, and nobody uses them.

@@ -34,14 +34,14 @@ impl View<'_> {
         self.machine.axis_name(axis).map(|name| name.to_string())
     }
 
-    /// Position of an axis in units.
+    /// Position of an axis in units; 0 for an axis that the model does not have.
     pub fn position(&self, axis: u8) -> f64 {
-        self.machine.position(axis)
+        if axis < self.machine.model.axes { self.machine.position(axis) } else { 0.0 }
     }
 
-    /// Velocity (units/s) and acceleration (units/s^2) of an axis.
+    /// Velocity (units/s) and acceleration (units/s^2) of an axis; 0 for an axis that the model does not have.
     pub fn motion(&self, axis: u8) -> (f64, f64) {
-        self.machine.motion(axis)
+        if axis < self.machine.model.axes { self.machine.motion(axis) } else { (0.0, 0.0) }
     }
 
     /// State of a flag; flags that do not exist are clear.

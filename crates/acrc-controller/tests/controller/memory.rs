@@ -4,8 +4,14 @@ use crate::support::Sim;
 
 #[test]
 fn a_block_is_dimensioned_once() {
-    assert_eq!(Sim::new("SYS\nDIM P(10)\nDIM P(20)\n").faults(), ["Re-dimensioned block"]);
-    assert_eq!(Sim::new("SYS\nDIM PROG0(8192)\n").faults(), ["Re-dimensioned block"]);
+    assert_eq!(
+        Sim::new("SYS\nDIM P(10)\nDIM P(20)\n").faults(),
+        ["Re-dimensioned block: P has 80 bytes already; CLEAR frees them"]
+    );
+    assert_eq!(
+        Sim::new("SYS\nDIM PROG0(8192)\n").faults(),
+        ["Re-dimensioned block: PROG0 has 65536 bytes already; CLEAR frees them"]
+    );
     Sim::new("SYS\nCLEAR\nDIM P(10)\nDIM PROG0(8192)\nDIM DEF 20\nCLEAR\nDIM P(20)\n").run().clean();
 }
 

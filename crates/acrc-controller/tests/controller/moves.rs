@@ -57,7 +57,7 @@ fn the_last_move_without_a_stop_ramp_drops_its_velocity_and_the_run_says_so() {
     assert_eq!(
         ran.notes(),
         [
-            "master 0: a move ended at 10 units/s with nothing to follow it (STP 0), so its velocity dropped to zero at once"
+            "master 0: a move ended at 10 units/s with nothing to follow it, so its velocity dropped to zero at once (STP 0, FVEL, or a path too short to slow down)"
         ]
     );
 }

@@ -17,7 +17,7 @@ fn a_refused_statement_is_reported_and_the_next_one_taken() {
     assert_eq!(
         faults,
         [
-            "setup test.8K line 3 statement 1: Re-dimensioned block",
+            "setup test.8K line 3 statement 1: Re-dimensioned block: P has 8 bytes already; CLEAR frees them",
             "setup test.8K line 4 statement 1: axis move is not possible at the SYS level",
             "setup test.8K line 6 statement 1: program 0 has no master: ATTACH MASTER comes first",
         ]

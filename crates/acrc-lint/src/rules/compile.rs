@@ -1,5 +1,5 @@
 //! Pages of what the compiler reports: `ACR020` and up. Where a rule of the linter finds the same mistake, the page
-//! says which.
+//! says which. The two codes that the linter shares with the compiler are rules of their own.
 
 use acrc_analysis::compile_codes as codes;
 use acrc_diagnostics::{Code, Severity};
@@ -65,16 +65,6 @@ pub(crate) static TOO_DEEP: Rule = page(
     STORED,
 );
 
-pub(crate) static UNSTORABLE_CHARACTER: Rule = page(
-    codes::UNSTORABLE_CHARACTER,
-    [
-        "A text has a character beyond one byte.",
-        "Texts on the controller have one byte a character; the terminal would show something else.",
-    ],
-    ["PRINT \"\u{3a9}\"", "PRINT \"ohm\""],
-    STORED,
-);
-
 pub(crate) static LIMIT: Rule = page(
     codes::LIMIT,
     ["Something is longer or larger than the stored form has room for.", "It would be cut off without a word."],
@@ -100,16 +90,6 @@ pub(crate) static NO_PROGRAM: Rule = page(
     ],
     ["PROGRAM\nSET 32\nENDP", "PROG0\nPROGRAM\nSET 32\nENDP"],
     "Programming Basics / Programs and Commands",
-);
-
-pub(crate) static ALIAS_OPERAND: Rule = page(
-    codes::ALIAS_OPERAND,
-    [
-        "An alias is defined for an expression or for another alias.",
-        "An alias stands for a parameter, a bit, a variable or a constant.",
-    ],
-    ["#DEFINE Speed (P1 * 2)", "#DEFINE Speed P1"],
-    "Programming Basics / Aliases",
 );
 
 pub(crate) static AXIS_NAME: Rule = page(

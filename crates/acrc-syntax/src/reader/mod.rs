@@ -12,6 +12,7 @@ mod expression;
 mod failure;
 mod flow;
 mod memory;
+mod mistakes;
 mod motion;
 mod output;
 mod repair;
@@ -171,7 +172,7 @@ impl<'t> Reader<'t> {
             Ok(_) if self.position == self.statement_start => Err(self.expected("a statement")),
             read => read,
         };
-        let leftover = if read.is_ok() { self.leftover() } else { None };
+        let leftover = read.as_ref().ok().and_then(|kind| self.leftover(kind));
         let (kind, behind) = match (read, leftover) {
             (Ok(kind), None) => (kind, None),
             // The arguments are complete: what follows them is broken, not the statement.

@@ -65,8 +65,11 @@ impl Reader<'_> {
         }
         let is_name = word.as_ref().is_none_or(super::expression::may_be_name);
         let assigned = self.peek_at(self.name_length()).kind == TokenKind::Equal;
-        let takes_value = rules.axis != AxisValue::Nothing && token.span.len() > MAX_AXIS_NAME;
-        if is_name && !assigned && (required || takes_value) {
+        let is_long = token.span.len() > MAX_AXIS_NAME;
+        let takes_value = rules.axis != AxisValue::Nothing && is_long;
+        // `X/ Y5`: the next axis, not an alias of that name.
+        let is_next_axis = !is_long && may_start_target(self.peek_at(1).kind);
+        if is_name && !assigned && (required && !is_next_axis || takes_value) {
             return Ok(Some(Argument::Value(self.alias())));
         }
         Ok(None)
@@ -100,6 +103,9 @@ impl Reader<'_> {
                 }
                 other => other,
             }));
+        }
+        if let Some(failure) = self.based_number(token) {
+            return Err(failure);
         }
         let Some(index) = self.bit_index(token)? else {
             return if sign.is_some() || keyword { Err(self.expected("the number of a flag")) } else { Ok(None) };

@@ -46,8 +46,13 @@ impl Reader<'_> {
     }
 
     /// Why what follows a statement that was read can neither end it nor start another one.
-    pub(super) fn leftover(&self) -> Option<Failure> {
+    pub(super) fn leftover(&self, kind: &StatementKind) -> Option<Failure> {
         let token = self.peek();
+        if let StatementKind::Command(command) = kind
+            && let Some(failure) = self.foreign_end(command.id, token)
+        {
+            return Some(failure);
+        }
         if token.kind.ends_statement() || self.starts_statement(token) {
             return None;
         }
@@ -93,12 +98,17 @@ impl Reader<'_> {
 
     /// A word that the catalogue does not know: an alias that is assigned, or an axis that moves.
     fn name_statement(&mut self, token: Token) -> Read<StatementKind> {
-        if self.peek_at(self.name_length()).kind == TokenKind::Equal {
+        let length = self.name_length();
+        if self.peek_at(length).kind == TokenKind::Equal || self.is_colon_equal(length) {
             return self.assignment();
         }
         let is_short = token.span.len() <= MAX_AXIS_NAME;
         if is_short && self.may_follow_axis(self.peek_at(1)) && !self.is_mistyped_parent(token) {
             return self.move_statement(None, command::AXIS_MOVE, Span::empty(token.span.start));
+        }
+        if is_short && self.is_move_without_target(token) {
+            self.bump();
+            return Err(self.expected("a value"));
         }
         Err(self.unknown_command(token))
     }
@@ -143,6 +153,9 @@ impl Reader<'_> {
     /// `target = value`
     fn assignment(&mut self) -> Read<StatementKind> {
         let target = self.value()?;
+        if self.is_colon_equal(0) {
+            return Err(self.colon_equal());
+        }
         if self.accept(TokenKind::Equal).is_none() {
             return Err(self.expected_after("`=`", target.span));
         }

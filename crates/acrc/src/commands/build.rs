@@ -2,14 +2,22 @@
 
 use anyhow::bail;
 
-use super::project::{compile, load, title};
+use super::project::{check, compile, errors_of, inputs, load, show_errors, title};
 use crate::cli::{BuildArguments, ColorChoice};
 use crate::exit::Exit;
-use crate::output::{Terminal, print, write_file};
+use crate::output::{Terminal, print, refuse_clashes, write_file};
 
 pub(super) fn run(arguments: &BuildArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = load(&arguments.project)?;
-    let Some(mut image) = compile(&project, Terminal::error(color))? else { return Ok(Exit::Findings) };
+    refuse_clashes(&[&arguments.output], &inputs(&project))?;
+    let terminal = Terminal::error(color);
+    let Some(mut image) = compile(&project, terminal)? else { return Ok(Exit::Findings) };
+    // An image is for a controller: what is known to fail there is not put into one.
+    let errors = errors_of(check(&project));
+    if !errors.iter().all(Vec::is_empty) {
+        show_errors(&project, &errors, terminal)?;
+        return Ok(Exit::Findings);
+    }
     if image.boot.words.is_empty() && image.programs.is_empty() {
         bail!("{} holds no statement: there is nothing to build", arguments.project.display());
     }

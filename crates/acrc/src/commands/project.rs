@@ -1,7 +1,7 @@
 //! Loading, checking and compiling a project, as several subcommands do.
 
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use acrc_analysis::Database;
 use acrc_analysis::project::{self, LoadedProject};
@@ -26,23 +26,19 @@ pub(crate) fn title(project: &LoadedProject) -> &str {
     }
 }
 
-/// What is wrong with each file of a project, in their order. The linter knows most; what only the compiler can tell, such as the limits of the
-/// stored form, is asked when the linter finds no error.
+/// What the linter finds in each file of a project, in their order.
 pub(crate) fn check(project: &LoadedProject) -> Vec<Vec<Diagnostic>> {
     let db = Database::new();
     let input = project.add_to(&db);
-    let mut found: Vec<Vec<Diagnostic>> =
-        acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect();
-    if !found.iter().flatten().any(|finding| finding.severity == Severity::Error)
-        && let Err(errors) = project.compile()
-    {
-        for error in &errors {
-            if let Some(list) = found.get_mut(error.file) {
-                list.push(error.into());
-            }
-        }
-    }
-    found
+    acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect()
+}
+
+/// The files that a project is read from.
+pub(crate) fn inputs(project: &LoadedProject) -> Vec<PathBuf> {
+    let files = project.files.iter().map(|file| file.path.clone());
+    let world = project.config.sim.world.iter().map(|path| project.root.join(path));
+    let config = std::iter::once(project.root.join(acrc_analysis::project::CONFIG_NAME));
+    files.chain(world).chain(config).map(camino::Utf8PathBuf::into_std_path_buf).collect()
 }
 
 /// The findings of each file, ready to be shown.
@@ -53,16 +49,40 @@ pub(crate) fn reports<'a>(project: &'a LoadedProject, found: &'a [Vec<Diagnostic
 
 /// Compiles a project. What is wrong with it goes to standard error; `None` then.
 pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Option<Image>> {
-    if let Ok(image) = project.compile() {
-        return Ok(Some(image));
+    let errors = match project.compile() {
+        Ok(image) => return Ok(Some(image)),
+        Err(errors) => errors,
+    };
+    // The linter says the same with more knowledge of the whole project; what only the compiler knows is left to it.
+    let mut found = errors_of(check(project));
+    if found.iter().all(Vec::is_empty) {
+        for error in &errors {
+            if let Some(list) = found.get_mut(error.file) {
+                list.push(error.into());
+            }
+        }
     }
-    let mut found = check(project);
+    show_errors(project, &found, terminal)?;
+    Ok(None)
+}
+
+/// Only the errors among findings.
+pub(crate) fn errors_of(mut found: Vec<Vec<Diagnostic>>) -> Vec<Vec<Diagnostic>> {
     for list in &mut found {
         list.retain(|finding| finding.severity == Severity::Error);
     }
-    let reports = reports(project, &found);
+    found
+}
+
+/// Shows errors on standard error.
+pub(crate) fn show_errors(
+    project: &LoadedProject,
+    found: &[Vec<Diagnostic>],
+    terminal: Terminal,
+) -> anyhow::Result<()> {
+    let reports = reports(project, found);
     let mut stderr = std::io::stderr().lock();
     text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, &mut stderr)?;
-    writeln!(stderr, "{} does not compile: {}", title(project), Summary::of(&reports))?;
-    Ok(None)
+    writeln!(stderr, "{} is not built: {}", title(project), Summary::of(&reports))?;
+    Ok(())
 }

@@ -1,8 +1,8 @@
 //! `ACR202`: a text where a number is expected, a number where a text is, or the wrong kind of object.
 
-use acrc_catalog::{ObjectKind, Operator, Shape};
+use acrc_catalog::{ObjectKind, Operator, Shape, command};
 use acrc_diagnostics::{Code, Severity};
-use acrc_syntax::ast::{Argument, Assign, Command, Expr, ExprKind, Statement, StatementKind};
+use acrc_syntax::ast::{Argument, Assign, Command, Expr, ExprKind, Print, Statement, StatementKind};
 
 use super::groups::{Values, groups, takes_axes};
 use super::value_kind::ValueKind;
@@ -14,8 +14,8 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR202", name: "argument-kind" },
         group: Group::Names,
         severity: Severity::Error,
-        what: "A value is a text where a number is needed, or the other way round, or an object is not of the kind that \
-               its place asks for.",
+        what: "A value is a text where a number is needed, or the other way round, an array stands where one value is \
+               needed, an object is not of the kind that its place asks for, or the bit of SET or CLR has a minus.",
         why: "The controller refuses the statement when it gets there.",
         bad: "PROG0\nPROGRAM\nDIM $V(1,10)\n$V0 = 5\nENDP",
         good: "PROG0\nPROGRAM\nDIM $V(1,10)\n$V0 = STR$(5)\nENDP",
@@ -27,6 +27,7 @@ pub(crate) static RULE: Rule = Rule {
 fn check_statement(context: &mut Context<'_>, statement: &Statement) {
     match &statement.kind {
         StatementKind::Assign(assign) => check_assignment(context, assign),
+        StatementKind::Print(print) => check_picture(context, print),
         StatementKind::Command(command) => match command.id.info().shape {
             Shape::Attach => check_objects(context, command),
             Shape::Bit => check_bit(context, command),
@@ -36,7 +37,32 @@ fn check_statement(context: &mut Context<'_>, statement: &Statement) {
     }
 }
 
+/// The picture behind `USING`.
+fn check_picture(context: &mut Context<'_>, print: &Print) {
+    let Some(picture) = &print.using else { return };
+    if ValueKind::of(context, picture) == Some(ValueKind::Number) {
+        let diagnostic = RULE.at(picture.span, "the picture of PRINT USING is a text, not a number");
+        context.report(diagnostic.with_help("it shows the places of the digits: PRINT USING \"###.##\"; P0"));
+    }
+}
+
+/// An array as a whole where one value is wanted; returns whether it is one.
+fn check_whole_array(context: &mut Context<'_>, value: &Expr) -> bool {
+    let ExprKind::Operand(operand) = &value.kind else { return false };
+    let is_whole = operand.class.is_array() && operand.element.is_none();
+    if is_whole {
+        let name = context.slice(value.span);
+        let diagnostic = RULE.at(value.span, format!("{name} is an array, and one of its elements is needed"));
+        context.report(diagnostic.with_help(format!("write the index of the element: {name}(0)")));
+    }
+    is_whole
+}
+
 fn check_assignment(context: &mut Context<'_>, assign: &Assign) {
+    let arrays = [&assign.target, &assign.value].map(|side| check_whole_array(context, side));
+    if arrays.contains(&true) {
+        return;
+    }
     let (Some(target), Some(value)) = (ValueKind::of(context, &assign.target), ValueKind::of(context, &assign.value))
     else {
         return;
@@ -82,9 +108,13 @@ fn check_values(context: &mut Context<'_>, command: &Command) {
 /// The flag of `SET`, `CLR`, `INH`: a whole number.
 fn check_bit(context: &mut Context<'_>, command: &Command) {
     for argument in &command.arguments {
-        if let Argument::Bit(bit) = argument
-            && matches!(bit.index.kind, ExprKind::Real(_) | ExprKind::String(_))
-        {
+        let Argument::Bit(bit) = argument else { continue };
+        if bit.negative && [command::SET, command::CLR].contains(&command.id) {
+            let name = command.id.info().name;
+            let diagnostic = RULE.at(bit.span, format!("{name} takes no minus"));
+            context.report(diagnostic.with_help("SET switches a bit on, CLR switches it off"));
+        }
+        if matches!(bit.index.kind, ExprKind::Real(_) | ExprKind::String(_)) {
             let written = context.slice(bit.index.span);
             context.report(RULE.at(bit.index.span, format!("{written} is no bit: a bit has a whole number")));
         }
@@ -127,6 +157,9 @@ fn check_expression(context: &mut Context<'_>, expr: &Expr) {
             }
         }
         ExprKind::Binary(operator, span, sides) => {
+            for side in sides.iter() {
+                check_whole_array(context, side);
+            }
             let [Some(left), Some(right)] = [&sides[0], &sides[1]].map(|side| ValueKind::of(context, side)) else {
                 return;
             };
@@ -167,6 +200,24 @@ mod tests {
     #[test]
     fn a_bit_is_a_whole_number() {
         assert_eq!(codes("SET 32\nSET 3.2\n"), [(2, "ACR202")]);
+    }
+
+    #[test]
+    fn only_an_inhibit_has_a_sign() {
+        assert_eq!(codes("SET -32\nCLR -33\nINH -516\nINH 516\n"), [(1, "ACR202"), (2, "ACR202")]);
+    }
+
+    #[test]
+    fn an_array_is_no_value() {
+        assert_eq!(
+            codes("LA0 = 3\nP0 = SA1\nP0 = DA0 + 1\nLA0(1) = LA0(P0)\n"),
+            [(1, "ACR202"), (2, "ACR202"), (3, "ACR202")]
+        );
+    }
+
+    #[test]
+    fn a_picture_is_a_text() {
+        assert_eq!(codes("PRINT USING 5; P0\nPRINT USING \"##\"; P0\nPRINT USING $V0; P0\n"), [(1, "ACR202")]);
     }
 
     #[test]

@@ -7,4 +7,6 @@ mod groups;
 pub(crate) mod missing_parentheses;
 pub(crate) mod number_too_large;
 mod range;
+pub(crate) mod report_before_move;
+pub(crate) mod unstorable_character;
 mod value_kind;

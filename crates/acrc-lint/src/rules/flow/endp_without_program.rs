@@ -27,10 +27,19 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
     let Some(section) = context.section() else { return };
     if matches!(&statement.kind, StatementKind::Command(c) if c.id == command::ENDP)
         && section.section.closer != Some(context.statement())
+        && !closes_swallowing(context)
     {
         let diagnostic = RULE.at(statement.span, "ENDP without PROGRAM");
         context.report(diagnostic.with_help("open the program with a line PROGRAM before its first statement"));
     }
+}
+
+/// A program inside of another one took the ENDP of the outer one, which is reported there.
+fn closes_swallowing(context: &Context<'_>) -> bool {
+    let sections = &context.index().sections;
+    let behind = sections.partition_point(|other| other.section.statements.start <= context.statement());
+    let closed = sections.iter().take(behind).rfind(|other| other.section.closer.is_some());
+    closed.is_some_and(|other| other.swallowed.is_some())
 }
 
 #[cfg(test)]

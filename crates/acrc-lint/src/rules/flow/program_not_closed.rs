@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR113", name: "program-not-closed" },
         group: Group::Flow,
         severity: Severity::Error,
-        what: "A PROGRAM has no ENDP behind it.",
+        what: "A PROGRAM has no ENDP behind it, or none before the next PROGRAM.",
         why: "Everything sent afterwards is stored as lines of this program instead of being carried out, the setup of \
               the next program included.",
         bad: "PROG0\nPROGRAM\nSET 32\nEND",
@@ -22,15 +22,22 @@ pub(crate) static RULE: Rule = Rule {
     checks: &[Check::Section(check)],
 };
 
-fn check(context: &mut Context<'_>, section: &SectionIndex) {
-    let section = &section.section;
-    if section.kind != SectionKind::Stored || section.closer.is_some() {
+fn check(context: &mut Context<'_>, index: &SectionIndex) {
+    let section = &index.section;
+    let is_closed = section.closer.is_some() && index.swallowed.is_none();
+    if section.kind != SectionKind::Stored || is_closed {
         return;
     }
     let Some(opener) = section.opener else { return };
     let program = level_name(section.level);
-    let diagnostic = RULE.at(context.statement_span(opener), format!("PROGRAM of {program} has no ENDP"));
-    context.report(diagnostic.with_label("opened here").with_help("end the text of the program with a line ENDP"));
+    let before = if index.swallowed.is_some() { " before the next PROGRAM" } else { "" };
+    let message = format!("PROGRAM of {program} has no ENDP{before}");
+    let mut diagnostic = RULE.at(context.statement_span(opener), message).with_label("opened here");
+    if let Some(swallowed) = index.swallowed {
+        let inner = context.statement_span(swallowed.program);
+        diagnostic = diagnostic.with_related(inner, format!("this one is stored as a part of {program}"));
+    }
+    context.report(diagnostic.with_help("end the text of the program with a line ENDP"));
 }
 
 #[cfg(test)]
@@ -39,7 +46,16 @@ mod tests {
 
     #[test]
     fn the_next_program_does_not_close_the_one_before() {
-        assert_eq!(codes("PROG0\nPROGRAM\nSET 32\nPROG1\nPROGRAM\nSET 33\nENDP\n"), []);
+        assert_eq!(codes("PROG0\nPROGRAM\nP0=1\nPROG1\nPROGRAM\nP0=2\nENDP\n"), [(2, "ACR113")]);
         assert_eq!(codes("PROG0\nPROGRAM\nSET 32\n"), [(2, "ACR113")]);
+    }
+
+    #[test]
+    fn a_program_in_a_program_is_one_mistake() {
+        assert_eq!(codes("PROG0\nPROGRAM\nPROGRAM\nSET 32\nENDP\nENDP\n"), [(2, "ACR113")]);
+        let first = "PROG0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\n_A\nX10\nGOTO A\n";
+        let second = "PROG1\nATTACH SLAVE0 AXIS1 \"Y\"\nPROGRAM\n_A\nY10\nGOTO A\nENDP\n";
+        assert_eq!(codes(&format!("{first}{second}")), [(3, "ACR113")]);
+        assert_eq!(codes(&format!("{first}ENDP\n{second}")), []);
     }
 }

@@ -24,8 +24,11 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
     let mut reached: Vec<u32> = section.jumps.iter().filter_map(|jump| jump.to).collect();
     reached.sort_unstable();
     for label in &section.labels {
+        // A jump names all labels of one name; that there are two is another finding.
         let name = context.slice(label.name);
-        if reached.binary_search(&label.statement).is_err() && !is_used_elsewhere(context, section, name) {
+        let same_name = section.labels_named(context.text(), name);
+        let is_reached = same_name.iter().any(|label| reached.binary_search(&label.statement).is_ok());
+        if !is_reached && !is_used_elsewhere(context, section, name) {
             let program = level_name(section.section.level);
             context.report(RULE.at(label.name, format!("nothing in {program} jumps to the label `{name}`")));
         }
@@ -48,6 +51,7 @@ mod tests {
         let unused = |text: &str| lint(&[("test.8K", text)]).concat().iter().filter(|d| d.code.id == "ACR103").count();
         assert_eq!(unused("PROG0\nPROGRAM\n_A\nGOTO A\nENDP\nPROG1\nPROGRAM\n_A\nENDP\n"), 1);
         assert_eq!(unused("PROG0\nPROGRAM\n_A\nENDP\nGOTO A\n"), 0);
+        assert_eq!(unused("_A\n_A\nGOTO A\n"), 0, "the second one is a duplicate, and that is said");
         assert_eq!(unused("_100\nGOTO 100\n"), 0);
     }
 }

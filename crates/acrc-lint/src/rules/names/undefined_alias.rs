@@ -2,7 +2,7 @@
 
 use acrc_analysis::AliasFact;
 use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
-use acrc_syntax::ast::{Expr, ExprKind};
+use acrc_syntax::ast::{Expr, ExprKind, StatementKind};
 
 use crate::Context;
 use crate::rule::{Check, Group, On, Rule, RuleDoc};
@@ -22,12 +22,18 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, expr: &Expr) {
-    if !matches!(expr.kind, ExprKind::Alias) || context.environment().excerpt {
+    if !matches!(expr.kind, ExprKind::Alias) || context.environment().excerpt || defines_alias(context) {
         return;
     }
     if let Some(AliasFact::Undefined { near }) = context.alias(expr.span) {
         context.report(finding(context, expr, near.as_deref()));
     }
+}
+
+/// That an alias stands for another name is wrong whatever the other one is, and is said by the rule for that.
+fn defines_alias(context: &Context<'_>) -> bool {
+    let statement = context.tree().statements().get(context.statement() as usize);
+    statement.is_some_and(|statement| matches!(statement.kind, StatementKind::Define(_)))
 }
 
 fn finding(context: &Context<'_>, expr: &Expr, near: Option<&str>) -> Diagnostic {

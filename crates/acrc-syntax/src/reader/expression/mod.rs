@@ -79,6 +79,13 @@ impl Work {
         self.wants_operand = false;
     }
 
+    /// The place of the operand that was read last, if it is a name.
+    fn last_name(&self) -> Option<Span> {
+        let Some(Item::Operand(index)) = self.items.last() else { return None };
+        let operand = self.store.get(*index)?;
+        (operand.kind == ExprKind::Alias).then_some(operand.span)
+    }
+
     fn open(&mut self, context: Context, start: u32, open: Span) {
         self.frames.push(Frame { context, start, open, items: self.items.len(), operands: self.store.len() });
         self.wants_operand = true;
@@ -152,8 +159,13 @@ impl Reader<'_> {
     }
 
     fn missing(&self, missing: ranks::Missing) -> Failure {
+        let (token, next) = (self.peek(), self.peek_at(1));
+        let is_called = next.kind == TokenKind::LeftParen && next.span.start == token.span.end;
+        if missing == ranks::Missing::VALUE && token.kind == TokenKind::Word && is_called {
+            return self.unknown_function(token.span);
+        }
         let failure = self.expected(missing.0);
-        match self.word(self.peek()) {
+        match self.word(token) {
             Some(_) if missing == ranks::Missing::VALUE => failure.help("a word of the language is no name of a value"),
             _ => failure,
         }
@@ -164,6 +176,9 @@ impl Reader<'_> {
         let token = self.peek();
         match token.kind {
             TokenKind::Integer | TokenKind::Real => {
+                if let Some(failure) = self.based_number(token) {
+                    return Err(failure);
+                }
                 if let Some(number) = self.number() {
                     work.operand(number.span, number.kind);
                 }
@@ -201,6 +216,10 @@ impl Reader<'_> {
         match token.kind {
             TokenKind::RightParen => self.close(work),
             TokenKind::Comma => self.next_argument(work),
+            TokenKind::LeftParen => match work.last_name() {
+                Some(name) => Err(self.unknown_function(name)),
+                None => Ok(false),
+            },
             _ => {
                 let Some(operator) = self.infix_operator(token) else { return Ok(false) };
                 self.bump();

@@ -42,6 +42,10 @@ impl Store {
         self.0.get_mut(index as usize).and_then(Option::take)
     }
 
+    pub(super) fn get(&self, index: u32) -> Option<&Expr> {
+        self.0.get(index as usize)?.as_ref()
+    }
+
     pub(super) fn len(&self) -> usize {
         self.0.len()
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use acrc_controller::Stopped;
+use acrc_controller::{State, Stopped};
 use acrc_vm::Value;
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use crate::output;
 #[derive(Serialize)]
 struct Document {
     virtual_seconds: f64,
-    /// `ended`, `until`, `interrupted`, or `fault` when a run-time error ended it.
+    /// `ended`, `until`, `interrupted`, or `fault` when everything has ended and a program did so by a run-time error.
     stopped: &'static str,
     programs: Vec<Program>,
     axes: Vec<Axis>,
@@ -82,7 +82,7 @@ fn document(report: &Report) -> Document {
     Document {
         virtual_seconds: controller.seconds(),
         stopped: match report.stopped {
-            Stopped::Ended if controller.faulted() => "fault",
+            Stopped::Ended if controller.programs().iter().any(|program| program.state == State::Fault) => "fault",
             Stopped::Ended => "ended",
             Stopped::Until => "until",
             Stopped::Interrupted => "interrupted",

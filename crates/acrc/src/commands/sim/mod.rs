@@ -6,6 +6,7 @@ mod recorder;
 mod signals;
 mod summary;
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -19,16 +20,19 @@ use anyhow::{Context as _, bail};
 
 use self::observer::RunObserver;
 use self::recorder::Recorder;
-use super::project::{compile, load, title};
+use super::project::{check, compile, errors_of, inputs, load, title};
 use crate::cli::{ColorChoice, Register, SimArguments, SimFormat};
 use crate::exit::Exit;
-use crate::output::Terminal;
+use crate::output::{Terminal, refuse_clashes};
 
 /// Virtual time of a run when nothing else is said, in seconds.
 const DEFAULT_UNTIL: f64 = 60.0;
 
 pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = load(&arguments.project)?;
+    let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).map(PathBuf::as_path).collect();
+    let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).collect();
+    refuse_clashes(&outputs, &inputs)?;
     let world = load_world(arguments, &project)?;
     let Some(image) = compile(&project, Terminal::error(color))? else {
         bail!("{} cannot be run before that is mended", title(&project));
@@ -37,6 +41,11 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let (start, mut notes) = programs_to_start(arguments, &project, &image)?;
     refuse_unsupported(&image, &start)?;
     let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
+    let errors: usize = errors_of(check(&project)).iter().map(Vec::len).sum();
+    if errors > 0 {
+        let plural = if errors == 1 { "error" } else { "errors" };
+        notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
+    }
     let mut recorder = Recorder::new(arguments, &image, &world)?;
     let options = Options { world, seed: arguments.seed };
     let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
@@ -51,6 +60,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let stopped = controller.run(&start, until, &mut observer);
     let wall = begun.elapsed();
     let record = observer.finish()?;
+    recorder.last(&controller.view())?;
 
     let exit = exit_of(stopped, &controller);
     let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(title(&project))? };

@@ -76,8 +76,11 @@ impl<'a> RunObserver<'a> {
         let time = self.terminal.faint(&format!("{seconds:>10.3} s"));
         let visible: String = text.chars().map(printable).collect();
         let mut out = io::stdout().lock();
-        let result = writeln!(out, "{time}  {source:<8}  {visible}").context("cannot write to standard output");
-        self.fail(result);
+        match writeln!(out, "{time}  {source:<8}  {visible}") {
+            // The reader went away; the run and its files go on.
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => self.live = false,
+            result => self.fail(result.context("cannot write to standard output")),
+        }
     }
 
     fn fail(&mut self, result: anyhow::Result<()>) {
@@ -136,6 +139,10 @@ impl Observer for RunObserver<'_> {
     fn tick(&mut self, view: &View) {
         let result = self.recorder.tick(view);
         self.fail(result);
+    }
+
+    fn watches_every_tick(&self) -> bool {
+        self.recorder.is_active()
     }
 
     fn interrupted(&mut self) -> bool {

@@ -25,6 +25,8 @@ pub(super) struct Recorder {
     every: f64,
     /// Ticks between two samples; known from the first sample on.
     stride: u64,
+    /// Tick of the latest row.
+    sampled: Option<u64>,
     row: Vec<f64>,
 }
 
@@ -66,20 +68,32 @@ impl Recorder {
             }
             None => None,
         };
-        Ok(Self { signals, csv, plot, every: arguments.trace_every, stride: 0, row: Vec::new() })
+        Ok(Self { signals, csv, plot, every: arguments.trace_every, stride: 0, sampled: None, row: Vec::new() })
+    }
+
+    /// Whether anything is recorded.
+    pub(super) fn is_active(&self) -> bool {
+        self.csv.is_some() || self.plot.is_some()
+    }
+
+    /// The state in which a run ended, when no row has it yet.
+    pub(super) fn last(&mut self, view: &View) -> anyhow::Result<()> {
+        if self.is_active() && self.sampled != Some(view.ticks()) { self.sample(view) } else { Ok(()) }
     }
 
     /// Samples when a row is due.
     pub(super) fn tick(&mut self, view: &View) -> anyhow::Result<()> {
-        if self.csv.is_none() && self.plot.is_none() {
+        if !self.is_active() {
             return Ok(());
         }
         if self.stride == 0 {
             self.stride = ((self.every / view.period()).round() as u64).max(1);
         }
-        if !view.ticks().is_multiple_of(self.stride) {
-            return Ok(());
-        }
+        if view.ticks().is_multiple_of(self.stride) { self.sample(view) } else { Ok(()) }
+    }
+
+    fn sample(&mut self, view: &View) -> anyhow::Result<()> {
+        self.sampled = Some(view.ticks());
         self.signals.sample(view, &mut self.row);
         if let Some(csv) = &mut self.csv {
             csv.writer

@@ -137,10 +137,7 @@ fn notes(text: &mut String, report: &Report, terminal: Terminal) {
     let faults = report.record.faults.len();
     if faults > 0 {
         let plural = if faults == 1 { "error" } else { "errors" };
-        let _ = writeln!(text, "{} {faults} run-time {plural}", terminal.error_word("fault:"));
-        for fault in &report.record.faults {
-            let _ = writeln!(text, "  {:.3} s  {fault}", fault.seconds);
-        }
+        let _ = writeln!(text, "{} {faults} run-time {plural}, shown above", terminal.error_word("fault:"));
     }
 }
 
