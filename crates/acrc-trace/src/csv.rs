@@ -21,7 +21,7 @@ pub enum CsvError {
     #[error(transparent)]
     Row(#[from] TraceError),
     /// The output failed.
-    #[error("the recording could not be written: {0}")]
+    #[error("the recording could not be written")]
     Io(#[from] io::Error),
 }
 

@@ -109,6 +109,9 @@ impl OutputFile {
             }
             _ => {
                 let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                if !folder.is_dir() {
+                    anyhow::bail!("{}: its folder does not exist", refuse());
+                }
                 let file = tempfile::Builder::new().prefix(".acrc-").tempfile_in(folder);
                 Place::Beside(file.map_err(|error| without_path(&error)).with_context(refuse)?)
             }

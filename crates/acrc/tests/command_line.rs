@@ -172,6 +172,13 @@ fn output_that_cannot_be_written_leaves_no_half_file() {
         assert_eq!(run.status.code(), Some(2));
         assert!(String::from_utf8_lossy(&run.stderr).contains("cannot write to standard output"));
     }
+    bench.file("empty.8K", "");
+    for command in [&["sim", "empty.8K"][..], &["build", "empty.8K", "-o", "empty.acrx"]] {
+        let run = bench.acrc(command.iter().copied()).expect(2);
+        assert!(run.stderr.contains("empty.8K holds no statement"), "{}", run.stderr);
+    }
+    let run = bench.acrc(["build", "clean.8K", "-o", "no/such/folder.acrx"]).expect(2);
+    assert!(run.stderr.contains("its folder does not exist"), "{}", run.stderr);
     std::fs::create_dir(bench.path("taken.acrx")).expect("writable");
     let run = bench.acrc(["build", "clean.8K", "-o", "taken.acrx"]).expect(2);
     assert!(run.stderr.contains("taken.acrx"), "{}", run.stderr);

@@ -37,6 +37,9 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let Some(image) = compile(&project, Terminal::error(color))? else {
         bail!("{} cannot be run before that is mended", title(&project));
     };
+    if image.boot.words.is_empty() && image.programs.is_empty() {
+        bail!("{} holds no statement: there is nothing to run", arguments.project.display());
+    }
     let image = Arc::new(image);
     let (start, mut notes) = programs_to_start(arguments, &project, &image)?;
     refuse_unsupported(&image, &start)?;
