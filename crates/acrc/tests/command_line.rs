@@ -226,12 +226,13 @@ fn an_interrupted_run_leaves_nothing_behind() {
     let bench = Bench::new();
     bench.file("poll.8K", "PROG0\nPROGRAM\n_on\nGOTO on\nENDP\n");
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_acrc"))
-        .args(["sim", "poll.8K", "--run", "PROG0", "--until", "10000h", "--trace", "t.csv"])
+        .args(["sim", "poll.8K", "--run", "PROG0", "--until", "1h", "--trace", "t.csv"])
         .current_dir(bench.folder.path())
         .stdout(std::process::Stdio::null())
         .spawn()
         .expect("acrc starts");
-    // The trace is begun once its temporary file is there; the run watches for signals from then on.
+    // The trace is begun once its temporary file is there; the run watches for signals by then. Left alone, it would end after an hour of
+    // virtual time.
     let begun = || {
         let names = std::fs::read_dir(bench.folder.path()).expect("readable");
         names.filter_map(|entry| entry.ok()?.metadata().ok()).any(|found| found.len() > 1 << 16)
