@@ -7,12 +7,17 @@ use acrc_catalog::Model;
 use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
+use crate::project::LintConfig;
 use crate::{Environment, FileIndex};
 
 /// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
 /// one of these changes.
 #[derive(Clone, Copy, Debug)]
 pub struct FileContext<'a> {
+    /// The path, as it is shown.
+    pub name: &'a str,
+    /// What the configuration says of checking.
+    pub lint: &'a LintConfig,
     /// The text.
     pub text: &'a str,
     /// Its tree.

@@ -57,6 +57,8 @@ pub fn environment(db: &dyn Db, project: Project, file: SourceFile) -> Environme
 #[salsa::tracked(returns(ref))]
 pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Checker) -> Vec<Diagnostic> {
     let mut found = (checker.run)(&FileContext {
+        name: file.name(db),
+        lint: &project.config(db).lint,
         text: file.text(db),
         tree: parse(db, file),
         index: file_index(db, file),

@@ -16,6 +16,7 @@ mod pass;
 mod registry;
 mod rule;
 mod rules;
+mod settings;
 #[cfg(test)]
 mod testing;
 

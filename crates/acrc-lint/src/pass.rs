@@ -10,6 +10,7 @@ use crate::Context;
 use crate::consequences::Consequences;
 use crate::registry::RULES;
 use crate::rule::{Check, On};
+use crate::settings::Settings;
 
 type CheckExpression = fn(&mut Context<'_>, &Expr);
 
@@ -68,5 +69,7 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
     let mut found = context.into_findings();
     found.retain(|finding| !consequences.hide(finding));
     found.extend_from_slice(file.tree.errors());
+    let settings = Settings::new(file.lint);
+    found.retain(|finding| settings.hear(finding));
     found
 }

@@ -18,6 +18,8 @@ pub struct RuleDoc {
     pub group: Group,
     /// The severity that its findings have unless one says otherwise.
     pub severity: Severity,
+    /// It is on unless the configuration turns it off; otherwise it is off unless the configuration selects it.
+    pub enabled: bool,
     /// What it finds.
     pub what: &'static str,
     /// Why that matters on a machine.
@@ -43,6 +45,12 @@ pub enum Group {
     Names,
     /// Parameters and bits: `ACR3xx`.
     Parameters,
+    /// Whether programs, variables and aliases fit their memory: `ACR4xx`.
+    Memory,
+    /// Attachments, motion, limits: `ACR5xx`.
+    Motion,
+    /// What works, and could be clearer or cheaper: `ACR6xx`.
+    Style,
 }
 
 impl Group {
@@ -54,6 +62,9 @@ impl Group {
             Self::Flow => "flow",
             Self::Names => "names",
             Self::Parameters => "parameters",
+            Self::Memory => "memory",
+            Self::Motion => "motion",
+            Self::Style => "style",
         }
     }
 }
@@ -121,11 +132,12 @@ impl RuleDoc {
     /// The page as text, ending in a line break.
     pub fn render(&self) -> String {
         let mut page = String::new();
-        let Self { code, group, severity, what, why, bad, good, guide } = self;
+        let Self { code, group, severity, enabled, what, why, bad, good, guide } = self;
+        let off = if *enabled { "" } else { ", off unless selected" };
         // Writing to a string does not fail.
         let _ = writeln!(
             page,
-            "{} {} ({severity}, {})\n\n{what}\n\nWhy it matters\n{why}\n",
+            "{} {} ({severity}, {}{off})\n\n{what}\n\nWhy it matters\n{why}\n",
             code.id,
             code.name,
             group.as_str()

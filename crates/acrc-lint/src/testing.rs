@@ -27,6 +27,23 @@ fn lint_with(model: &'static Model, config: Config, files: &[(&str, &str)]) -> V
     crate::check(&db, project).into_iter().map(|(_, found)| found).collect()
 }
 
+/// The lines at which one rule, on by itself or not, finds something in each file of a project.
+pub(crate) fn lines_of(code: &str, files: &[(&str, &str)]) -> Vec<Vec<u32>> {
+    let mut config = Config::default();
+    config.lint.select = Some(vec![code.to_owned()]);
+    let found = lint_with(acrc_catalog::default_model(), config, files);
+    let line = |text: &str, found: &Diagnostic| LineIndex::new(text).position(found.span.start).line;
+    files.iter().zip(found).map(|((_, text), found)| found.iter().map(|found| line(text, found)).collect()).collect()
+}
+
+/// The texts at which one rule, on by itself or not, finds something in a single file.
+pub(crate) fn spans_of<'t>(code: &str, text: &'t str) -> Vec<&'t str> {
+    let mut config = Config::default();
+    config.lint.select = Some(vec![code.to_owned()]);
+    let found = lint_with(acrc_catalog::default_model(), config, &[("test.8K", text)]).concat();
+    found.iter().map(|found| text.get(found.span.range()).unwrap_or_default()).collect()
+}
+
 /// Lines and codes of what is found in a single file, advice left out.
 pub(crate) fn codes(text: &str) -> Vec<(u32, &'static str)> {
     codes_in(text, &lint(&[("test.8K", text)]).concat())

@@ -11,11 +11,19 @@ const NAME: &str = "example.8K";
 /// Pages whose examples describe a file instead of showing one.
 const DESCRIBED: [&str; 4] = ["ACR004", "ACR025", "ACR027", "ACR031"];
 
-fn lint(program: &str) -> Vec<Diagnostic> {
+/// The findings of all rules that are on by themselves, and of `also`.
+fn lint_with(also: Option<&RuleDoc>, program: &str) -> Vec<Diagnostic> {
     let db = Database::new();
+    let mut config = Config::default();
+    let on = acrc_lint::rules().filter(|doc| doc.enabled || also == Some(doc));
+    config.lint.select = Some(on.map(|doc| doc.code.id.to_owned()).collect());
     let file = SourceFile::new(&db, NAME.to_owned(), program.to_owned(), FileRole::of(NAME), Vec::new());
-    let project = Project::new(&db, vec![file], acrc_catalog::default_model(), Config::default());
+    let project = Project::new(&db, vec![file], acrc_catalog::default_model(), config);
     acrc_lint::check(&db, project).into_iter().flat_map(|(_, found)| found).collect()
+}
+
+fn lint(program: &str) -> Vec<Diagnostic> {
+    lint_with(None, program)
 }
 
 fn compile(program: &str) -> Vec<Diagnostic> {
@@ -34,7 +42,7 @@ fn compile(program: &str) -> Vec<Diagnostic> {
 }
 
 fn look(doc: &RuleDoc, program: &str) -> Vec<Diagnostic> {
-    if doc.group == Group::Compile { compile(program) } else { lint(program) }
+    if doc.group == Group::Compile { compile(program) } else { lint_with(Some(doc), program) }
 }
 
 fn shown() -> impl Iterator<Item = &'static RuleDoc> {
@@ -71,7 +79,7 @@ fn good_examples_have_no_errors_and_warnings() {
 fn bad_examples_as_a_user_sees_them() {
     let mut page = String::new();
     for doc in shown().filter(|doc| doc.group != Group::Compile) {
-        let own: Vec<_> = lint(doc.bad).into_iter().filter(|diagnostic| diagnostic.code == doc.code).collect();
+        let own: Vec<_> = look(doc, doc.bad).into_iter().filter(|diagnostic| diagnostic.code == doc.code).collect();
         page.push_str(&render(doc.bad, &own));
         page.push('\n');
     }

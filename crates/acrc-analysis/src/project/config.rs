@@ -47,11 +47,14 @@ pub struct SimConfig {
 }
 
 /// `[lint]`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
 pub struct LintConfig {
-    /// The least severity that makes `acrc lint` fail; errors when absent.
+    /// The least severity that makes `acrc lint` fail; warnings when absent.
     pub fail_on: Option<FailOn>,
+    /// The rules that are on, by code, prefix of a code, name or group, or `ALL`; those that are on by themselves when
+    /// absent.
+    pub select: Option<Vec<String>>,
 }
 
 /// From which severity on a check counts as failed.

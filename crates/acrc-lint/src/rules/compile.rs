@@ -10,7 +10,10 @@ const STORED: &str = "System Configuration / Memory Allocations";
 
 const fn page(code: Code, [what, why]: [&'static str; 2], [bad, good]: [&'static str; 2], guide: &'static str) -> Rule {
     let severity = Severity::Error;
-    Rule { doc: RuleDoc { code, group: Group::Compile, severity, what, why, bad, good, guide }, checks: &[] }
+    Rule {
+        doc: RuleDoc { code, group: Group::Compile, severity, enabled: true, what, why, bad, good, guide },
+        checks: &[],
+    }
 }
 
 pub(crate) static NOT_COMPILED: Rule = page(

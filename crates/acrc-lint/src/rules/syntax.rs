@@ -12,7 +12,10 @@ const fn page(
     [bad, good]: [&'static str; 2],
     guide: &'static str,
 ) -> Rule {
-    Rule { doc: RuleDoc { code, group: Group::Syntax, severity, what, why, bad, good, guide }, checks: &[] }
+    Rule {
+        doc: RuleDoc { code, group: Group::Syntax, severity, enabled: true, what, why, bad, good, guide },
+        checks: &[],
+    }
 }
 
 pub(crate) static SYNTAX_ERROR: Rule = page(

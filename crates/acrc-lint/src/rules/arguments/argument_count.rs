@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR201", name: "argument-count" },
         group: Group::Names,
         severity: Severity::Error,
+        enabled: true,
         what: "A command, an axis of a command, or a function has too few or too many values.",
         why: "The controller refuses the statement when it gets there, or takes the missing value to be a question and \
               prints an answer instead of acting.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: compile_codes::UNSTORABLE_CHARACTER,
         group: Group::Compile,
         severity: Severity::Error,
+        enabled: true,
         what: "A text has a character beyond one byte.",
         why: "Texts on the controller have one byte a character; the terminal would show something else.",
         bad: "PRINT \"\u{3a9}\"",

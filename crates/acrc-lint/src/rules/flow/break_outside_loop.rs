@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR115", name: "break-outside-loop" },
         group: Group::Flow,
         severity: Severity::Error,
+        enabled: true,
         what: "A BREAK stands outside of FOR .. NEXT and WHILE .. WEND.",
         why: "BREAK leaves the innermost loop. With none around it there is nothing to leave.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24)\nBREAK\nENDIF\nENDP",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR112", name: "crossed-blocks" },
         group: Group::Flow,
         severity: Severity::Error,
+        enabled: true,
         what: "A block is closed while another one that was opened inside it is still open, or a branch follows the ELSE \
                of its chain.",
         why: "Blocks lie within each other or one after the other. Crossed ones leave open what is inside, and a branch \

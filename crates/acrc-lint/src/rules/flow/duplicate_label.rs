@@ -11,6 +11,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR102", name: "duplicate-label" },
         group: Group::Flow,
         severity: Severity::Error,
+        enabled: true,
         what: "A program defines the same label twice.",
         why: "A jump can go to one of them only, and no document says which. The other piece of code is never reached, \
               although it looks as if it were.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR114", name: "endp-without-program" },
         group: Group::Flow,
         severity: Severity::Warning,
+        enabled: true,
         what: "An ENDP closes a program that no PROGRAM opened.",
         why: "Without PROGRAM the lines are carried out one by one as they are sent, instead of being stored: motion \
               starts during the download, and there is nothing to run afterwards.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR116", name: "goto-out-of-block" },
         group: Group::Flow,
         severity: Severity::Warning,
+        enabled: true,
         what: "A GOTO inside a block IF or a WHILE goes to a label outside of it.",
         why: "The controller keeps four bytes for every open block, and nothing closes this one: each pass leaves \
               another block open. Leave a WHILE with BREAK, and put the jump behind the block.",

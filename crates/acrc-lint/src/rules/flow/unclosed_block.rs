@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR110", name: "unclosed-block" },
         group: Group::Flow,
         severity: Severity::Error,
+        enabled: true,
         what: "An IF without THEN has no ENDIF, a FOR no NEXT, or a WHILE no WEND.",
         why: "Where the block ends decides what the machine does and how often. The controller looks for the end when \
               the program runs, and does not find it.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR111", name: "unopened-block-end" },
         group: Group::Flow,
         severity: Severity::Error,
+        enabled: true,
         what: "An ELSE, ELSEIF or ENDIF stands outside of a block IF, a NEXT outside of a FOR, a WEND outside of a WHILE. \
                Often the IF has a THEN, which needs no ENDIF.",
         why: "The statements that were meant to depend on a condition are carried out always.",

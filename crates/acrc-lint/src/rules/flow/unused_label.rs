@@ -11,6 +11,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR103", name: "unused-label" },
         group: Group::Flow,
         severity: Severity::Advice,
+        enabled: true,
         what: "No GOTO or GOSUB of the program goes to this label.",
         why: "Either the code behind it is never called, or the label is left over and misleads the reader.",
         bad: "PROG0\nPROGRAM\n_Start\nSET 32\nDWL 1\nCLR 32\nENDP",
@@ -44,14 +45,18 @@ fn is_used_elsewhere(context: &Context<'_>, section: &SectionIndex, name: &str) 
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::lint;
+    use crate::testing::{lines_of, spans_of};
+
+    fn unused(text: &str) -> Vec<&str> {
+        spans_of("ACR103", text)
+    }
 
     #[test]
     fn a_label_is_used_from_its_own_program() {
-        let unused = |text: &str| lint(&[("test.8K", text)]).concat().iter().filter(|d| d.code.id == "ACR103").count();
-        assert_eq!(unused("PROG0\nPROGRAM\n_A\nGOTO A\nENDP\nPROG1\nPROGRAM\n_A\nENDP\n"), 1);
-        assert_eq!(unused("PROG0\nPROGRAM\n_A\nENDP\nGOTO A\n"), 0);
-        assert_eq!(unused("_A\n_A\nGOTO A\n"), 0, "the second one is a duplicate, and that is said");
-        assert_eq!(unused("_100\nGOTO 100\n"), 0);
+        let programs = "PROG0\nPROGRAM\n_A\nGOTO A\nENDP\nPROG1\nPROGRAM\n_A\nENDP\n";
+        assert_eq!(lines_of("ACR103", &[("test.8K", programs)]), [[8]]);
+        assert_eq!(unused("PROG0\nPROGRAM\n_A\nENDP\nGOTO A\n"), [""; 0]);
+        assert_eq!(unused("_A\n_A\nGOTO A\n"), [""; 0], "the second one is a duplicate, and that is said");
+        assert_eq!(unused("_100\nGOTO 100\n_B\n"), ["B"]);
     }
 }

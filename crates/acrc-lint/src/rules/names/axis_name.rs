@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR205", name: "axis-name" },
         group: Group::Names,
         severity: Severity::Error,
+        enabled: true,
         what: "ATTACH SLAVE gives a name that is not one to four letters, or is P or F.",
         why: "P is a parameter and F a feedrate: `F 100` would never reach an axis of that name. Other names that are \
               words of the language read as those words, so that moves of the axis do something else.",

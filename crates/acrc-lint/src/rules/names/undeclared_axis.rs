@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR204", name: "undeclared-axis" },
         group: Group::Names,
         severity: Severity::Error,
+        enabled: true,
         what: "A statement uses an axis name that no ATTACH SLAVE gives in this program. A misspelt command looks the \
                same: `VLE 5` reads as a move of an axis named VLE.",
         why: "An axis name is valid in its own program only. Without the attachment the move is refused when the \

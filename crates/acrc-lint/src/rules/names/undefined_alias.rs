@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR210", name: "undefined-alias" },
         group: Group::Names,
         severity: Severity::Error,
+        enabled: true,
         what: "A name stands where a value is expected, and no #DEFINE of the project defines it.",
         why: "The controller does not know the name and refuses the line; what is left of the program runs without it.",
         bad: "#DEFINE Clamp BIT32\nPROG0\nPROGRAM\nSET clamp\nENDP",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR302", name: "read-only" },
         group: Group::Parameters,
         severity: Severity::Error,
+        enabled: true,
         what: "A statement writes a parameter or bit that reports a state of the controller.",
         why: "The controller writes it again with the next servo period, so the statement has no effect, and the code \
               behind it goes on as if it had one.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         code: Code { id: "ACR301", name: "unknown-number" },
         group: Group::Parameters,
         severity: Severity::Error,
+        enabled: true,
         what: "A parameter or bit number lies beyond what controllers have, or belongs to an axis or master that the \
                model of the project does not have.",
         why: "A digit too many or too few reads or writes something else, or nothing: a wait for such a bit never ends, \
