@@ -8,7 +8,7 @@ use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
 use crate::project::LintConfig;
-use crate::{Environment, FileIndex};
+use crate::{Environment, FileIndex, Machine};
 
 /// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
 /// one of these changes.
@@ -26,6 +26,8 @@ pub struct FileContext<'a> {
     pub index: &'a FileIndex,
     /// The symbols of the other files, as far as this one uses them.
     pub environment: &'a Environment,
+    /// What the project makes of its controller.
+    pub machine: &'a Machine,
     /// The controller model.
     pub model: &'static Model,
     /// The project names the model; otherwise it is the default one.

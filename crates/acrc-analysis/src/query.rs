@@ -2,17 +2,18 @@
 //!
 //! ```text
 //! text ── parse ─┬─ index ───────────────────────────────┐
-//!                └─ exports ─ symbols ─ environment ─────┴─ diagnostics
+//!                ├─ exports ─ symbols ─ environment ─────┤
+//!                └─ effects ─ machine ───────────────────┴─ diagnostics
 //! ```
 //!
-//! `exports` and `environment` are the two places where the effect of an edit ends: they hold no places in the text,
-//! and what is computed from them is computed again only when they really differ.
+//! `exports`, `effects`, `environment` and `machine` are the places where the effect of an edit ends: they hold no places
+//! in the text, and what is computed from them is computed again only when they really differ.
 
 use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
-use crate::index::{self, Exports, FileIndex};
-use crate::{Checker, Db, Environment, FileContext, Project, SourceFile, Symbols};
+use crate::index::{self, Effects, Exports, FileIndex};
+use crate::{Checker, Db, Environment, FileContext, Machine, Project, SourceFile, Symbols};
 
 /// The tree of a file.
 #[salsa::tracked(returns(ref), no_eq)]
@@ -21,7 +22,7 @@ pub fn parse(db: &dyn Db, file: SourceFile) -> Tree {
 }
 
 #[salsa::tracked(returns(ref), no_eq)]
-fn indexed(db: &dyn Db, file: SourceFile) -> (FileIndex, Exports) {
+fn indexed(db: &dyn Db, file: SourceFile) -> (FileIndex, Exports, Effects) {
     index::build(file.text(db), parse(db, file), file.role(db))
 }
 
@@ -34,6 +35,18 @@ pub fn file_index(db: &dyn Db, file: SourceFile) -> &FileIndex {
 #[salsa::tracked(returns(ref))]
 pub fn exports(db: &dyn Db, file: SourceFile) -> Exports {
     indexed(db, file).1.clone()
+}
+
+/// What a file does to the machine.
+#[salsa::tracked(returns(ref))]
+pub fn effects(db: &dyn Db, file: SourceFile) -> Effects {
+    indexed(db, file).2.clone()
+}
+
+/// What the project makes of its controller.
+#[salsa::tracked(returns(ref))]
+pub fn machine(db: &dyn Db, project: Project) -> Machine {
+    Machine::new(project.files(db).iter().map(|file| exports(db, *file)))
 }
 
 /// The symbols of a project.
@@ -63,6 +76,7 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         tree: parse(db, file),
         index: file_index(db, file),
         environment: environment(db, project, file),
+        machine: machine(db, project),
         model: project.model(db),
         model_is_given: project.config(db).project.model.is_some(),
     });

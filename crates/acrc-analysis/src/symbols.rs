@@ -136,7 +136,10 @@ impl Symbols {
 }
 
 fn is_fragment(only: &Exports) -> bool {
-    !only.switches_level && only.attachments.is_empty()
+    let names_axes = |attachment: &Attachment| {
+        !matches!(attachment.kind, AttachmentKind::Master { .. } | AttachmentKind::Axis { .. })
+    };
+    !only.switches_level && !only.attachments.iter().any(names_axes)
 }
 
 /// An attachment that stands.
@@ -204,7 +207,7 @@ fn play<'s, 'a>(standing: &'s mut Vec<Standing<'a>>, change: &'a Attachment) -> 
             }
             standing.push(Standing { level: change.level, slot: *slot, axis: *axis, name: name.as_ref() });
         }
-        AttachmentKind::Slave { .. } => {}
+        AttachmentKind::Slave { .. } | AttachmentKind::Master { .. } | AttachmentKind::Axis { .. } => {}
     }
     None
 }

@@ -1,6 +1,6 @@
 //! What a rule sees while the pass goes over a file.
 
-use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, SectionIndex};
+use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, SectionIndex};
 use acrc_catalog::{Confidence, Model};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
@@ -41,6 +41,11 @@ impl<'a> Context<'a> {
 
     pub(crate) fn environment(&self) -> &'a Environment {
         self.file.environment
+    }
+
+    /// What the project makes of its controller.
+    pub(crate) fn machine(&self) -> &'a Machine {
+        self.file.machine
     }
 
     pub(crate) fn model(&self) -> &'static Model {

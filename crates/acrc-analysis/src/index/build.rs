@@ -10,14 +10,20 @@ use acrc_syntax::{blocks, units};
 use rustc_hash::FxHashSet;
 
 use super::{
-    AliasOperand, Attachment, AttachmentKind, AttachmentSite, DefineSite, Exports, FileIndex, Jump, LabelSite,
-    LineSite, Name, SectionIndex, Sequence, Swallowed, section,
+    AliasOperand, Attachment, AttachmentKind, AttachmentSite, DefineSite, Effects, Exports, FileIndex, Jump, LabelSite,
+    LineSite, Name, SectionIndex, Sequence, Swallowed, effects, section,
 };
 use crate::{FileRole, walk};
 
-pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Exports) {
+pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Exports, Effects) {
     let implicit_program = super::is_implicit_program(role, tree);
-    let mut builder = Builder { text, tree, uses: FxHashSet::default(), exports: Exports::default() };
+    let mut builder = Builder {
+        text,
+        tree,
+        uses: FxHashSet::default(),
+        exports: Exports::default(),
+        effects: effects::Collector::new(text),
+    };
     let mut index = FileIndex { implicit_program, sections: Vec::new(), defines: Vec::new(), attachments: Vec::new() };
     for mut section in units::split(tree, role.start()) {
         if implicit_program && section.level == role.start() {
@@ -25,7 +31,8 @@ pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Expo
         }
         builder.section(section, &mut index);
     }
-    (index, builder.finish())
+    let (exports, effects) = builder.finish();
+    (index, exports, effects)
 }
 
 struct Builder<'a> {
@@ -33,6 +40,7 @@ struct Builder<'a> {
     tree: &'a Tree,
     uses: FxHashSet<&'a str>,
     exports: Exports,
+    effects: effects::Collector<'a>,
 }
 
 /// What the statements of a section share.
@@ -69,6 +77,7 @@ impl<'a> Builder<'a> {
                 }
                 _ => {}
             }
+            self.effects.statement(section.level, section.kind == SectionKind::Stored, statement);
             self.collect_uses(statement);
         }
         labels.sort_by_key(|label: &LabelSite| (self.slice(label.name), label.statement));
@@ -127,6 +136,8 @@ impl<'a> Builder<'a> {
                 let name = name.map(|(_, inner)| self.slice(inner).to_ascii_uppercase().into());
                 AttachmentKind::Slave { slot, axis, name }
             }
+            command::ATTACH_MASTER => AttachmentKind::Master { master: object(ObjectKind::Master) },
+            command::ATTACH_AXIS => AttachmentKind::Axis { axis },
             command::DETACH => AttachmentKind::Detach { slot, axis },
             command::DETACH_ALL => AttachmentKind::DetachAll,
             _ => return None,
@@ -138,13 +149,13 @@ impl<'a> Builder<'a> {
         self.text.get(span.range()).unwrap_or_default()
     }
 
-    fn finish(mut self) -> Exports {
+    fn finish(mut self) -> (Exports, Effects) {
         let mut uses: Vec<Name> = self.uses.into_iter().map(Name::from).collect();
         uses.sort_unstable();
         self.exports.uses = uses;
         self.exports.levels.sort_unstable();
         self.exports.levels.dedup();
-        self.exports
+        (self.exports, self.effects.finish())
     }
 }
 

@@ -97,6 +97,16 @@ pub struct Attachment {
 /// Kinds of changes of the attachments (guide, "Attachments").
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AttachmentKind {
+    /// `ATTACH MASTERn`
+    Master {
+        /// The master.
+        master: Option<u32>,
+    },
+    /// `ATTACH AXISn feedback signal`
+    Axis {
+        /// The axis.
+        axis: Option<u32>,
+    },
     /// `ATTACH SLAVEn AXISm "name"`
     Slave {
         /// The slot of the master.

@@ -4,6 +4,7 @@
 //! files can see, without places, so that an edit that moves text about leaves it equal and costs the others nothing.
 
 mod build;
+mod effects;
 mod exports;
 mod section;
 
@@ -12,6 +13,7 @@ use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
 use acrc_syntax::ast::StatementKind;
 
+pub use effects::{CommandUse, Effects, On, Write, WriteKind, Written};
 pub use exports::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name, Sequence, operand_text};
 pub use section::{Jump, LabelSite, LineSite, SectionIndex, Swallowed};
 
@@ -48,8 +50,8 @@ pub struct AttachmentSite {
     pub name: Option<Span>,
 }
 
-/// The index of one text and what others see of it.
-pub(crate) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Exports) {
+/// The index of one text, what others see of it, and what it does to the machine.
+pub(crate) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Exports, Effects) {
     build::build(text, tree, role)
 }
 
