@@ -15,6 +15,7 @@ pub mod index;
 mod input;
 mod machine;
 mod near;
+pub mod parallel;
 pub mod project;
 pub mod query;
 mod role;

@@ -79,6 +79,17 @@ fn lint(criterion: &mut Criterion) {
             BatchSize::PerIteration,
         );
     });
+    group.bench_function("cold, all processors", |bencher| {
+        bencher.iter_batched_ref(
+            || {
+                let db = Database::new();
+                let (project, _) = load(&db, &files);
+                (db, project)
+            },
+            |(db, project)| black_box(acrc_lint::check_in_parallel(db, *project)),
+            BatchSize::PerIteration,
+        );
+    });
     group.finish();
 
     let mut db = Database::new();

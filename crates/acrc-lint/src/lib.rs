@@ -20,7 +20,7 @@ mod settings;
 #[cfg(test)]
 mod testing;
 
-use acrc_analysis::{Checker, Db, Project, SourceFile};
+use acrc_analysis::{Checker, Database, Db, Project, SourceFile, parallel};
 use acrc_diagnostics::Diagnostic;
 
 pub(crate) use context::{Context, level_name};
@@ -29,6 +29,16 @@ pub use rule::{Group, RuleDoc};
 
 /// The linter, for [`acrc_analysis::diagnostics`].
 pub const CHECKER: Checker = Checker { name: "lint", run: pass::run };
+
+/// The same as [`check`], with as many threads as the machine has processors: for a project that nobody has looked at
+/// yet.
+pub fn check_in_parallel(db: &Database, project: Project) -> Vec<(SourceFile, Vec<Diagnostic>)> {
+    parallel::read_all(db, project);
+    parallel::for_each(db, project.files(db), |db, file| {
+        acrc_analysis::diagnostics(db, project, file, CHECKER);
+    });
+    check(db, project)
+}
 
 /// What is wrong with the files of a project, in their order, and in each by place.
 pub fn check(db: &dyn Db, project: Project) -> Vec<(SourceFile, Vec<Diagnostic>)> {

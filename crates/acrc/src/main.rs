@@ -13,6 +13,11 @@ use clap::Parser;
 
 use crate::exit::Exit;
 
+/// A check allocates many small things that live until the end, from several threads: with this allocator it takes little
+/// more than half the time.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> ExitCode {
     // A usage error ends here with status 2, `--help` and `--version` with 0.
     let arguments = cli::Arguments::parse();

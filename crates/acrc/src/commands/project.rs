@@ -30,7 +30,7 @@ pub(crate) fn title(project: &LoadedProject) -> &str {
 pub(crate) fn check(project: &LoadedProject) -> Vec<Vec<Diagnostic>> {
     let db = Database::new();
     let input = project.add_to(&db);
-    acrc_lint::check(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect()
+    acrc_lint::check_in_parallel(&db, input).into_iter().map(|(_, diagnostics)| diagnostics).collect()
 }
 
 /// The files that a project is read from.
