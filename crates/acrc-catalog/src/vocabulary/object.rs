@@ -37,5 +37,7 @@ named_enum! {
         Samp = "SAMP",
         /// A serial port.
         Com = "COM",
+        /// A drive on the Ethernet Powerlink network: position feedback and output in one.
+        Epld = "EPLD",
     }
 }

@@ -82,6 +82,7 @@ math_functions! {
     Log = LOG "LOG" None |x| libm::log10(x);
     Sqrt = SQRT "SQRT" None |x| x.sqrt();
     Exp = EXP "EXP" None |x| libm::exp(x);
+    Absf = ABSF "ABSF" None |x| x.abs();
 }
 
 impl Math {
