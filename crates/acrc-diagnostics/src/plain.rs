@@ -25,12 +25,14 @@ pub(crate) const fn visible(c: char) -> char {
         },
         '\x7F' => '\u{2421}',
         // The second block of control characters, line separators, zero-width characters, and the marks that reorder
-        // text.
+        // text; and two that no XML document may have.
         '\u{80}'..='\u{9F}'
         | '\u{200B}'..='\u{200F}'
         | '\u{2028}'..='\u{202E}'
         | '\u{2060}'..='\u{2069}'
-        | '\u{FEFF}' => REPLACEMENT,
+        | '\u{FEFF}'
+        | '\u{FFFE}'
+        | '\u{FFFF}' => REPLACEMENT,
         other => other,
     }
 }

@@ -13,12 +13,10 @@ use std::io::{self, Write};
 use ariadne::{Color, Fmt};
 
 use crate::plain::plain_line;
-use crate::{Applicability, Diagnostic, FileReport, Severity, SourceFile};
+use crate::remarks::remarks;
+use crate::{Diagnostic, FileReport, Severity, SourceFile};
 use excerpt::Excerpt;
 use gutter::{Gutter, Margin};
-
-/// What is said of every finding that is marked unconfirmed.
-const UNCONFIRMED: &str = "rests on behaviour that the controller's documents leave open";
 
 /// How findings are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -63,27 +61,6 @@ fn render_one(file: &SourceFile<'_>, diagnostic: &Diagnostic, options: Options, 
     }
     gutter.close(page)?;
     writeln!(page)
-}
-
-/// What is said below the source, each with its heading.
-fn remarks(diagnostic: &Diagnostic) -> Vec<(&'static str, &str)> {
-    let is_fix = |text: &str| diagnostic.fixes.iter().any(|fix| fix.title == text);
-    let help = diagnostic.help.as_deref().filter(|help| !is_fix(help));
-    let fixes = diagnostic.fixes.iter().map(|fix| {
-        let heading = match fix.applicability {
-            Applicability::Safe => "fix",
-            Applicability::Unsafe => "unsafe fix",
-            Applicability::DisplayOnly => "suggestion",
-        };
-        (heading, fix.title.as_str())
-    });
-    let unconfirmed = diagnostic.unconfirmed.then_some(("unconfirmed", UNCONFIRMED));
-    let mut remarks = Vec::new();
-    remarks.extend(help.map(|help| ("help", help)));
-    remarks.extend(fixes);
-    remarks.extend(diagnostic.note.as_deref().map(|note| ("note", note)));
-    remarks.extend(unconfirmed);
-    remarks
 }
 
 const fn severity_color(severity: Severity) -> Color {
