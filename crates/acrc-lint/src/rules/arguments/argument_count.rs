@@ -1,8 +1,8 @@
 //! `ACR201`: too few or too many arguments.
 
-use acrc_catalog::{Command as Row, Shape, command};
+use acrc_catalog::{Command as Row, ObjectKind, Shape, command};
 use acrc_diagnostics::{Code, Severity, Span};
-use acrc_syntax::ast::{Command, Dim, Expr, ExprKind, Statement, StatementKind};
+use acrc_syntax::ast::{Argument, Command, Dim, Expr, ExprKind, Statement, StatementKind};
 
 use super::groups::{Group as Values, Values as Written, groups, items, takes_axes};
 use crate::Context;
@@ -45,9 +45,19 @@ fn check_command(context: &mut Context<'_>, command: &Command, span: Span) {
     if !judge(context, row, span, count, unit) {
         return;
     }
+    if lacks_signal(command) {
+        let message = "ATTACH AXIS needs an output signal besides its feedback";
+        context.report(RULE.at(span, message).with_help(format!("its form is {}", row.signature)));
+    }
     for group in groups(command) {
         check_group(context, &group);
     }
+}
+
+/// A drive on the network is feedback and output in one; any other feedback needs an output.
+fn lacks_signal(command: &Command) -> bool {
+    let is_drive = |argument: &Argument| matches!(argument, Argument::Object(o) if o.kind == ObjectKind::Epld);
+    command.id == command::ATTACH_AXIS && command.arguments.len() == 2 && !command.arguments.iter().any(is_drive)
 }
 
 /// Counts the items; returns whether their number is right.
@@ -154,5 +164,10 @@ mod tests {
     #[test]
     fn functions_count_too() {
         assert_eq!(codes("P0 = SQRT(P1)\nP0 = SQRT(P1, 2)\n"), [(2, "ACR201")]);
+    }
+
+    #[test]
+    fn a_network_drive_is_feedback_and_output() {
+        assert_eq!(codes("ATTACH AXIS8 EPLD0\nATTACH AXIS0 ENC0 DAC0\nATTACH AXIS1 ENC1\n"), [(3, "ACR201")]);
     }
 }
