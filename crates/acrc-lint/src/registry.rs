@@ -14,6 +14,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &syntax::DIM_WITHOUT_PARENTHESES,
     &syntax::REMARK_ON_LABEL_LINE,
     &syntax::COMMENT_AFTER_STATEMENT,
+    &syntax::EQUALS_AFTER_COMMAND,
     &compile::NOT_COMPILED,
     &compile::UNDEFINED_LABEL,
     &compile::DUPLICATE_LABEL,

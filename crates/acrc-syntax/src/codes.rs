@@ -20,9 +20,11 @@ pub const DIM_WITHOUT_PARENTHESES: Code = Code { id: "ACR007", name: "dim-withou
 pub const REMARK_ON_LABEL_LINE: Code = Code { id: "ACR008", name: "remark-on-label-line" };
 /// An apostrophe comment behind a statement, where the download does not drop it.
 pub const COMMENT_AFTER_STATEMENT: Code = Code { id: "ACR009", name: "comment-after-statement" };
+/// An equals sign between a command and its value.
+pub const EQUALS_AFTER_COMMAND: Code = Code { id: "ACR010", name: "equals-after-command" };
 
 /// All codes of this crate, in the order of their numbers.
-pub const ALL: [Code; 9] = [
+pub const ALL: [Code; 10] = [
     SYNTAX_ERROR,
     TYPOGRAPHIC_CHARACTER,
     REMARK_WITHOUT_COLON,
@@ -32,4 +34,5 @@ pub const ALL: [Code; 9] = [
     DIM_WITHOUT_PARENTHESES,
     REMARK_ON_LABEL_LINE,
     COMMENT_AFTER_STATEMENT,
+    EQUALS_AFTER_COMMAND,
 ];

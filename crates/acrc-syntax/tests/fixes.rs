@@ -19,6 +19,8 @@ fn fixes_leave_nothing_to_say() {
         ("VEL 5 ' fast", "VEL 5 : REM fast"),
         ("VEL 5 'fast", "VEL 5 : REM fast"),
         ("_ Failed", "_Failed"),
+        ("VEL = 5", "VEL 5"),
+        ("VEL=P0 * 2 : ACC = (P1)", "VEL(P0 * 2) : ACC (P1)"),
         ("DIM LV10", "DIM LV(10)"),
         ("DIM $V 2 80", "DIM $V (2, 80)"),
         ("DIM PROG 15 16384", "DIM PROG 15 (16384)"),

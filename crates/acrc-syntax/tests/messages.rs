@@ -20,7 +20,7 @@ message!(daughter_missing, "JOG X5\nJOG ABBS X5\nFLASH");
 message!(operand_missing, "P0 =\nP0 = 5 +\nP0 = 5 + * 3\nP0 = 3 AND");
 message!(parenthesis_missing, "P0 = (5 + LV0\nX(1, 2\nP0 = SIN(5");
 message!(calculated_argument, "VEL P0 + 5\nX(P0)*2");
-message!(command_with_equal_sign, "VEL = 5");
+message!(command_with_equal_sign, "VEL = 5\nVEL = P0 * 2 : ACC=(P1)\nVEL =\nRES = 5");
 message!(command_as_value, "P0 = VEL + 1");
 message!(function_without_parenthesis, "P0 = SIN P1");
 message!(variable_without_index, "P0 = LV\nBIT = 1");

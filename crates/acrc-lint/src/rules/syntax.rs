@@ -123,3 +123,15 @@ pub(crate) static COMMENT_AFTER_STATEMENT: Rule = page(
     ["SET 32 ' open the gripper", "' open the gripper\nSET 32"],
     "Programming Basics / Remarks",
 );
+
+pub(crate) static EQUALS_AFTER_COMMAND: Rule = page(
+    codes::EQUALS_AFTER_COMMAND,
+    Severity::Warning,
+    [
+        "An equals sign stands between a command and its value.",
+        "No document shows this form. It is read here as if the sign were not there; a controller may as well refuse \
+         the line, and the machine then moves with the value before.",
+    ],
+    ["VEL = 5", "VEL 5"],
+    "Programming Basics / Command Syntax",
+);

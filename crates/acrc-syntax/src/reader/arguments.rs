@@ -143,6 +143,9 @@ impl Seen {
 impl Reader<'_> {
     /// The arguments of a shape without a grammar of its own.
     pub(super) fn arguments(&mut self, row: &Row) -> Read<Vec<Argument>> {
+        if row.shape == Shape::Value && self.peek().kind == TokenKind::Equal {
+            return Ok(vec![Argument::Value(self.value_behind_equals(row)?)]);
+        }
         let mut rules = rules(row.shape);
         if rules.names == Names::Either && !row.takes_axes {
             rules.names = Names::Alias;

@@ -1,10 +1,11 @@
 //! Forms of other languages that would be read here as something else, or as several mistakes.
 
-use acrc_catalog::{CommandId, command, function};
+use acrc_catalog::{Command as Row, CommandId, command, function};
 use acrc_diagnostics::{Applicability, Diagnostic, Edit, Fix, Span};
 
 use super::failure::shown;
-use super::{Failure, Reader};
+use super::{Failure, Read, Reader};
+use crate::ast::{Expr, ExprKind};
 use crate::codes;
 use crate::lexer::{Token, TokenKind};
 
@@ -65,6 +66,31 @@ impl Reader<'_> {
             Diagnostic::error(codes::SYNTAX_ERROR, span, "an assignment is written with `=`")
                 .with_fix(Fix::safe("write `=`", vec![Edit::delete(colon.span)])),
         ))
+    }
+
+    /// `VEL = P1`: at least one machine in production has such lines, so they are read as `VEL (P1)`.
+    pub(super) fn value_behind_equals(&mut self, row: &Row) -> Read<Expr> {
+        if self.peek_at(1).kind.ends_statement() {
+            return Err(self.expected_after("a value", self.last_read()).help(super::statement::NO_ASSIGNMENT));
+        }
+        let equals = self.bump().span;
+        let value = self.full_expression()?;
+        let gap = Span::new(equals.start, value.span.start);
+        let stands_alone =
+            matches!(value.kind, ExprKind::Integer(_) | ExprKind::Real(_) | ExprKind::String(_) | ExprKind::Paren(_));
+        let edits = if stands_alone {
+            vec![Edit::delete(gap)]
+        } else {
+            vec![Edit::replace(gap, "("), Edit::insert(value.span.end, ")")]
+        };
+        let message = format!("the value of {} follows it without `=`", row.name);
+        self.report(
+            Diagnostic::warning(codes::EQUALS_AFTER_COMMAND, equals, message)
+                .with_help("whether the controller takes it for a value is not documented")
+                .with_fix(Fix::unsafe_("remove the `=`", edits)),
+        );
+        // What is computed stands in parentheses, as the fix would write it.
+        Ok(if stands_alone { value } else { Expr { span: value.span, kind: ExprKind::Paren(Box::new(value)) } })
     }
 
     /// Whether a short word is followed by what neither gives it a target nor starts another statement, and resembles
