@@ -92,7 +92,9 @@ impl CompileErrorKind {
             Self::TooDeep => "store a part of the expression in a variable first",
             Self::UnstorableCharacter(_) => "write it with plain characters, or join it with CHR$(code)",
             Self::ConflictingAlias { .. } => "an alias is known to all programs: use another name for one of the two",
-            Self::NoProgram => "write `PROG0` before it, or name the file `Prog0.8K`",
+            Self::NoProgram => {
+                "write `PROG0` before it, or name the file after its program: `Prog0.8K` to `Prog15.8K`, `PLC0.8K` to `PLC7.8K`"
+            }
             Self::AliasOperand => "define it for the operand alone and write the rest where it is used",
             _ => return None,
         })

@@ -24,7 +24,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &arguments::unstorable_character::RULE,
     &compile::LIMIT,
     &compile::CONFLICTING_ALIAS,
-    &compile::NO_PROGRAM,
+    &flow::no_program::RULE,
     &names::alias_operand::RULE,
     &compile::AXIS_NAME,
     &flow::undefined_label::RULE,

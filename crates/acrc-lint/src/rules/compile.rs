@@ -85,16 +85,6 @@ pub(crate) static CONFLICTING_ALIAS: Rule = page(
     "Programming Basics / Aliases",
 );
 
-pub(crate) static NO_PROGRAM: Rule = page(
-    codes::NO_PROGRAM,
-    [
-        "The text of a program stands where no program is chosen.",
-        "Programs are stored at the prompt of a program; at the SYS prompt there is nothing to store them in.",
-    ],
-    ["PROGRAM\nSET 32\nENDP", "PROG0\nPROGRAM\nSET 32\nENDP"],
-    "Programming Basics / Programs and Commands",
-);
-
 pub(crate) static AXIS_NAME: Rule = page(
     codes::AXIS_NAME,
     [

@@ -6,6 +6,7 @@ pub(crate) mod duplicate_label;
 pub(crate) mod endp_without_program;
 pub(crate) mod goto_out_of_block;
 pub(crate) mod missing_return;
+pub(crate) mod no_program;
 pub(crate) mod program_not_closed;
 pub(crate) mod unclosed_block;
 pub(crate) mod undefined_label;
