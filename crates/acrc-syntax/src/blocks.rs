@@ -109,6 +109,8 @@ pub struct Blocks {
 }
 
 const NONE: u32 = u32::MAX;
+/// Number of kinds of blocks.
+const KINDS: usize = 3;
 const ELSE: &str = "ELSE";
 
 impl Blocks {
@@ -220,6 +222,9 @@ struct Matcher {
     otherwise: Vec<Option<u32>>,
     /// Blocks that were left by the closer of a block around them; their own closer may still come.
     crossed: Vec<u32>,
+    /// How many blocks of each kind are open, and how many crossed: a closer looks only for what is there.
+    open_of: [u32; KINDS],
+    crossed_of: [u32; KINDS],
     /// Statements that could not be read and that may have been the missing half of a block.
     unknown: u32,
 }
@@ -251,6 +256,7 @@ impl Matcher {
         });
         self.otherwise.push(None);
         self.open.push(place);
+        self.open_of[kind as usize] += 1;
         place
     }
 
@@ -271,27 +277,47 @@ impl Matcher {
     }
 
     fn close(&mut self, index: u32, kind: BlockKind) -> Option<u32> {
-        let is_kind = |place: &u32| self.found.blocks.get(*place as usize).is_some_and(|block| block.kind == kind);
         let innermost = self.open.last().copied();
-        let Some(depth) = self.open.iter().rposition(is_kind) else {
-            if let Some(depth) = self.crossed.iter().rposition(is_kind) {
-                self.crossed.truncate(depth);
+        let Some(depth) = self.last_of(kind, self.open_of, &self.open) else {
+            if let Some(depth) = self.last_of(kind, self.crossed_of, &self.crossed) {
+                let left = self.crossed.split_off(depth);
+                self.count(&left, |matcher, kind| matcher.crossed_of[kind] -= 1);
             } else {
                 self.unopened(index, kind.closer());
             }
             return innermost;
         };
         let inner = self.open.split_off(depth + 1);
+        self.count(&inner, |matcher, kind| {
+            matcher.open_of[kind] -= 1;
+            matcher.crossed_of[kind] += 1;
+        });
         if let Some(open) = inner.last().and_then(|&place| self.found.blocks.get(place as usize)) {
             let error = BlockErrorKind::Crossed { closes: kind, open: open.opener, open_kind: open.kind };
             self.error(index, error);
         }
         self.crossed.extend(inner);
         let place = self.open.pop()?;
+        self.open_of[kind as usize] -= 1;
         if let Some(block) = self.found.blocks.get_mut(place as usize) {
             block.closer = Some(index);
         }
         Some(place)
+    }
+
+    /// The place in a list of the last block of a kind, of which the list holds as many as `counts` says.
+    fn last_of(&self, kind: BlockKind, counts: [u32; KINDS], list: &[u32]) -> Option<usize> {
+        let is_kind = |place: &u32| self.found.blocks.get(*place as usize).is_some_and(|block| block.kind == kind);
+        if counts[kind as usize] == 0 { None } else { list.iter().rposition(is_kind) }
+    }
+
+    /// Changes the counts for blocks that leave a list.
+    fn count(&mut self, places: &[u32], change: fn(&mut Self, usize)) {
+        for &place in places {
+            if let Some(kind) = self.found.blocks.get(place as usize).map(|block| block.kind as usize) {
+                change(self, kind);
+            }
+        }
     }
 
     fn unopened(&mut self, index: u32, word: &'static str) {

@@ -15,9 +15,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-compile", &["acrc-syntax", "acrc-image"]),
     ("acrc-analysis", &["acrc-compile"]),
     ("acrc-lint", &["acrc-analysis"]),
+    ("acrc-fmt", &["acrc-syntax"]),
     ("acrc-vm", &["acrc-image"]),
     ("acrc-controller", &["acrc-vm", "acrc-motion", "acrc-compile"]),
-    ("acrc", &["acrc-lint", "acrc-controller", "acrc-trace"]),
+    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-controller", "acrc-trace"]),
     ("xtask", &["acrc-lint"]),
 ];
 
