@@ -45,7 +45,8 @@ impl Indents {
     /// Blanks before a line with these statements. The lines are given in order.
     pub(crate) fn next(&mut self, statements: Range<u32>) -> usize {
         let steps = self.steps.get(statements.start as usize..statements.end as usize).unwrap_or_default();
-        let leaves = self.ends == BlockEnds::Opener && steps.first().is_some_and(|first| first.closes || first.branches);
+        let leaves =
+            self.ends == BlockEnds::Opener && steps.first().is_some_and(|first| first.closes || first.branches);
         let levels = self.depth.saturating_sub(leaves.into()).min(MAX_LEVELS);
         for step in steps {
             self.depth = (self.depth + usize::from(step.opens)).saturating_sub(step.closes.into());

@@ -30,8 +30,8 @@ mod rows;
 mod spacing;
 
 use acrc_syntax::Tree;
-pub use renumber::renumber;
 pub use options::{BlockEnds, KeywordCase, MAX_INDENT, Options};
+pub use renumber::renumber;
 
 /// A formatted text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

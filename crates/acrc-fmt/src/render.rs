@@ -36,7 +36,7 @@ pub(crate) fn rows(text: &str, tree: &Tree, states: &[State], options: Options) 
         let tokens = renderer.take_tokens();
         let raw = slice(text, line.span);
         match state {
-            State::Blank => renderer.rows.copy("", Role::Blank),
+            State::Blank => renderer.rows.blank(),
             State::Unreadable => renderer.rows.copy(raw, Role::OTHER),
             State::Frozen => renderer.rows.copy(raw, Role::Frozen),
             State::Open => renderer.line(line, tokens, indent),
@@ -148,7 +148,8 @@ fn remark_stop(marker: &mut Marker<'_>, tokens: &[Token], line: &Line, statement
     let [_, .., last] = statements else { return None };
     let is_remark = matches!(last.kind, StatementKind::Remark(_)) && last.separator != Separator::Then;
     let word = is_remark.then(|| marker.find(last.span.start))?;
-    let colon = word.checked_sub(1).filter(|&index| tokens.get(index).is_some_and(|token| token.kind == TokenKind::Colon));
+    let colon =
+        word.checked_sub(1).filter(|&index| tokens.get(index).is_some_and(|token| token.kind == TokenKind::Colon));
     Some(colon.unwrap_or(word))
 }
 
@@ -160,6 +161,7 @@ fn role(line: &Line, statements: &[Statement]) -> Role {
     };
     let is_conditional = statements.iter().any(|statement| statement.separator == Separator::Then);
     let last = statements.iter().rfind(|statement| !is_remark(statement)).unwrap_or(first);
-    let leaves = matches!(&last.kind, StatementKind::Command(last) if [command::RETURN, command::END].contains(&last.id));
+    let leaves =
+        matches!(&last.kind, StatementKind::Command(last) if [command::RETURN, command::END].contains(&last.id));
     Role::Code { label: matches!(first.kind, StatementKind::Label(_)), leaves: leaves && !is_conditional }
 }

@@ -93,6 +93,13 @@ impl Rows {
         self.rows.push(row);
     }
 
+    /// Adds a blank line, unless there is one already or it would be the first.
+    pub(crate) fn blank(&mut self) {
+        if self.rows.last().is_some_and(|last| last.role != Role::Blank) {
+            self.rows.push(self.begin(0, Role::Blank));
+        }
+    }
+
     /// Adds a row with this text.
     pub(crate) fn copy(&mut self, text: &str, role: Role) {
         let row = self.begin(0, role);
@@ -105,7 +112,7 @@ impl Rows {
         self.body.get(row.range.start..stop.at).unwrap_or_default().chars().count()
     }
 
-    /// The text with the line end given: a blank line neither at its ends nor beside another one.
+    /// The text with the line end given, without blank lines at its end.
     pub(crate) fn join(&self, line_end: &str) -> String {
         let padding: usize = self.rows.iter().map(|row| stops(row).map(|stop| stop.pad).sum::<usize>()).sum();
         let mut out = String::with_capacity(self.body.len() + padding + (self.rows.len() + 1) * line_end.len());
@@ -115,7 +122,7 @@ impl Rows {
                 blank = true;
                 continue;
             }
-            if (blank || row.blank_before) && !out.is_empty() {
+            if blank || row.blank_before {
                 out.push_str(line_end);
             }
             blank = false;

@@ -135,7 +135,11 @@ fn lines_of(tree: &Tree, text: &str) -> Vec<String> {
 fn errors(tree: &Tree) -> Vec<String> {
     let parser = tree.errors().iter().map(|error| format!("{:?} {}", error.severity, error.code.id));
     let blocks = units::split(tree, Level::System).into_iter().flat_map(|section| {
-        blocks::match_blocks(tree, section.statements).errors().iter().map(|error| format!("{error:?}")).collect::<Vec<_>>()
+        blocks::match_blocks(tree, section.statements)
+            .errors()
+            .iter()
+            .map(|error| format!("{error:?}"))
+            .collect::<Vec<_>>()
     });
     parser.chain(blocks).collect()
 }
