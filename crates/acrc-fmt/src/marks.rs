@@ -4,11 +4,11 @@
 //! a parenthesis behind a function belongs to it, a number behind an axis is its target. The exceptions are collected
 //! here, in one walk over a statement.
 
-use acrc_catalog::{Shape, UnaryOperator};
+use acrc_catalog::{Shape, UnaryOperator, command};
 use acrc_diagnostics::Span;
 use acrc_syntax::ast::{
-    Argument, Axis, BitArgument, Command, Dim, Expr, ExprKind, Input, Object, Operand, Print, Statement, StatementKind,
-    Target,
+    Argument, Axis, BitArgument, Command, Dim, Expr, ExprKind, Input, Object, Operand, Print, Separator, Statement,
+    StatementKind, Target,
 };
 use acrc_syntax::lexer::{Token, TokenKind};
 
@@ -39,6 +39,10 @@ pub(crate) struct Marker<'t> {
     marks: &'t mut Vec<Mark>,
     /// Index of the token that was looked up last.
     place: usize,
+    /// Start of a statement that stands behind a `NEXT` without a colon.
+    behind_next: Option<u32>,
+    /// The statement before was a `NEXT`.
+    was_next: bool,
 }
 
 impl<'t> Marker<'t> {
@@ -46,11 +50,14 @@ impl<'t> Marker<'t> {
     pub(crate) fn new(tokens: &'t [Token], marks: &'t mut Vec<Mark>) -> Self {
         marks.clear();
         marks.resize(tokens.len(), Mark::default());
-        Self { tokens, marks, place: 0 }
+        Self { tokens, marks, place: 0, behind_next: None, was_next: false }
     }
 
     /// Marks the tokens of a statement.
     pub(crate) fn statement(&mut self, statement: &Statement) {
+        let follows_next = self.was_next && statement.separator == Separator::Blank;
+        self.behind_next = follows_next.then_some(statement.span.start);
+        self.was_next = matches!(&statement.kind, StatementKind::Command(next) if next.id == command::NEXT);
         match &statement.kind {
             StatementKind::Remark(_) | StatementKind::Error => {}
             StatementKind::Label(label) => {
@@ -192,8 +199,10 @@ impl<'t> Marker<'t> {
         self.name(axis.name);
         self.slash(axis.slash);
         let Some(value) = axis.value.as_deref() else { return };
+        // `NEXT X 5` is a loop's end and a move, but `NEXT X5` is taken for the `NEXT` of another language.
+        let is_loose = self.behind_next == Some(axis.span.start);
         match value {
-            Argument::Value(expr) if is_closed(expr) => self.mark(expr.span.start, Mark::TIGHT),
+            Argument::Value(expr) if is_closed(expr) && !is_loose => self.mark(expr.span.start, Mark::TIGHT),
             Argument::Tuple(tuple) => self.mark(tuple.span.start, Mark::TIGHT),
             _ => {}
         }

@@ -1,6 +1,8 @@
 //! What the tests of this crate share.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+pub(crate) mod pieces;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -49,12 +51,13 @@ impl Facts {
 pub(crate) fn checked(text: &str) -> String {
     let facts = Facts::of(text);
     for options in choices() {
-        check(text, &facts, &options);
+        check(text, &facts, options);
     }
     format(text, &Options::default()).text
 }
 
-fn check(text: &str, facts: &Facts, options: &Options) {
+fn check(text: &str, facts: &Facts, options: Options) {
+    let options = &options;
     let first = format(text, options);
     assert_eq!(&Facts::of(&first.text), facts, "the program stays: {text:?}\n{:?}", first.text);
     let second = format(&first.text, options);
