@@ -208,6 +208,7 @@ pub struct NumberRow {
     pub value_type: Option<String>,
     pub kind: Option<String>,
     pub access: Option<String>,
+    pub range: Option<[i32; 2]>,
     #[serde(default)]
     pub unit: String,
     #[serde(default)]
@@ -288,6 +289,7 @@ pub struct ModelRow {
     pub streams: Vec<String>,
     pub user_memory: u32,
     pub servo_period: f64,
+    pub plc_last_flag: Option<u32>,
     #[serde(default)]
     pub note: String,
     pub source: String,

@@ -24,6 +24,8 @@ pub struct Model {
     pub user_memory: u32,
     /// Servo period with factory settings, in seconds.
     pub servo_period: f64,
+    /// The last flag that its PLC programs reach, where that is not all of them.
+    pub plc_last_flag: Option<u32>,
     /// What is stated and what is assumed.
     pub note: &'static str,
     /// Where the row comes from (`data/README.md`).

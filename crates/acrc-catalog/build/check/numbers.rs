@@ -46,6 +46,9 @@ fn rows(what: &str, rows: &[NumberRow], faults: &mut Faults) {
         if let Some(kind) = &row.kind {
             faults.known(label(what, row), "kind", kind, BitKind::from_name(kind).is_some());
         }
+        if row.range.is_some_and(|[least, most]| least > most) {
+            faults.add(label(what, row), "its range ends before it begins");
+        }
         if row.count == 0 || (row.stride == 0) != (row.count == 1) {
             faults.add(label(what, row), format_args!("stride {} does not go with count {}", row.stride, row.count));
         }

@@ -67,7 +67,7 @@ fn others(catalogue: &Catalogue, out: &mut String) {
     let models = catalogue.models.iter().map(|row| {
         format!(
             "Model {{ name: {:?}, programs: {}, plcs: {}, masters: {}, axes: {}, slaves: {}, streams: &{:?}, user_memory: {}, \
-             servo_period: {:?}, note: {:?}, source: {:?}, confidence: {} }}",
+             servo_period: {:?}, plc_last_flag: {:?}, note: {:?}, source: {:?}, confidence: {} }}",
             row.name,
             row.programs,
             row.plcs,
@@ -77,6 +77,7 @@ fn others(catalogue: &Catalogue, out: &mut String) {
             row.streams,
             row.user_memory,
             row.servo_period,
+            row.plc_last_flag,
             row.note,
             row.source,
             confidence(&row.confidence)

@@ -120,9 +120,10 @@ fn access(name: Option<&str>) -> String {
 
 fn parameter(row: &NumberRow) -> String {
     let value_type = row.value_type.as_deref().and_then(ValueType::from_name);
+    let range = row.range.map(|[least, most]| (least, most));
     let value_type = value_type.map_or("None".to_owned(), |value_type| format!("Some(ValueType::{value_type:?})"));
     format!(
-        "ParameterRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, ty: {value_type}, access: {}, unit: {:?}, note: {:?}, \
+        "ParameterRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, ty: {value_type}, access: {}, range: {range:?}, unit: {:?}, note: {:?}, \
          source: {:?}, confidence: {} }}",
         law(row.law()),
         space(&row.object),

@@ -22,6 +22,8 @@ pub struct ParameterRow {
     pub ty: Option<ValueType>,
     /// What programs may do with it.
     pub access: Access,
+    /// The least and the largest value that a document allows.
+    pub range: Option<(i32, i32)>,
     /// Unit of its value; empty for none or unknown.
     pub unit: &'static str,
     /// What else is known or not known.

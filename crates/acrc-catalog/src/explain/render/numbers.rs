@@ -19,6 +19,7 @@ pub(super) fn parameter(info: &ParameterInfo) -> String {
         .fact("of", holder(info))
         .fact("type", info.ty.map_or("", |ty| ty.name()))
         .fact("access", access(info.access))
+        .fact("range", range(info.row.and_then(|row| row.range)))
         .fact("unit", info.unit)
         .fact("law", info.row.map(|row| law("P", &row.law)).unwrap_or_default());
     let sheet = match info.block {
@@ -57,6 +58,7 @@ pub(super) fn parameter_field(row: &ParameterRow) -> String {
         .fact("of", row.object.name())
         .fact("type", row.ty.map_or("", |ty| ty.name()))
         .fact("access", access(row.access))
+        .fact("range", range(row.range))
         .fact("unit", row.unit)
         .fact("law", laws.join("; "))
         .fact("note", row.note)
@@ -124,4 +126,8 @@ fn law(letter: &str, law: &AddressLaw) -> String {
 fn mask(index: u32) -> i32 {
     // Flag words are signed: bit 31 alone is the most negative long.
     (1_u32 << (index % 32)).cast_signed()
+}
+
+fn range(range: Option<(i32, i32)>) -> String {
+    range.map(|(least, most)| format!("{least} to {most}")).unwrap_or_default()
 }
