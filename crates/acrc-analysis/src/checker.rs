@@ -8,7 +8,7 @@ use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
 use crate::project::LintConfig;
-use crate::{Environment, FileIndex, Machine};
+use crate::{Environment, FileIndex, Machine, Usage};
 
 /// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
 /// one of these changes.
@@ -28,6 +28,8 @@ pub struct FileContext<'a> {
     pub environment: &'a Environment,
     /// What the project makes of its controller.
     pub machine: &'a Machine,
+    /// What the project uses by number.
+    pub usage: &'a Usage,
     /// The controller model.
     pub model: &'static Model,
     /// The project names the model; otherwise it is the default one.

@@ -20,13 +20,14 @@ pub mod project;
 pub mod query;
 mod role;
 mod symbols;
+mod usage;
 pub mod walk;
 
 /// The codes of what [`project::LoadedProject::compile`] reports.
 pub use acrc_compile::codes as compile_codes;
 pub use checker::{Checker, FileContext};
 pub use db::{Database, Db};
-pub use environment::{AliasFact, DefinedIn, Environment};
+pub use environment::{AliasFact, DefinedIn, Environment, OwnAlias};
 pub use index::{Exports, FileIndex, SectionIndex};
 pub use input::{Project, SourceFile};
 pub use machine::Machine;
@@ -34,3 +35,4 @@ pub use near::nearest;
 pub use query::{diagnostics, parse};
 pub use role::FileRole;
 pub use symbols::{AliasSymbol, AxisTable, Conflict, Symbols, Taken};
+pub use usage::{Usage, is_wizards};

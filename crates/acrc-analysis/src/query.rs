@@ -3,17 +3,18 @@
 //! ```text
 //! text ── parse ─┬─ index ───────────────────────────────┐
 //!                ├─ exports ─ symbols ─ environment ─────┤
-//!                └─ effects ─ machine ───────────────────┴─ diagnostics
+//!                └─ effects ─ machine, usage ────────────┴─ diagnostics
 //! ```
 //!
-//! `exports`, `effects`, `environment` and `machine` are the places where the effect of an edit ends: they hold no places
+//! `exports`, `effects`, `environment`, `machine` and `usage` are the places where the effect of an edit ends: they hold no places
 //! in the text, and what is computed from them is computed again only when they really differ.
 
+use acrc_catalog::OperandClass;
 use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
 use crate::index::{self, Effects, Exports, FileIndex};
-use crate::{Checker, Db, Environment, FileContext, Machine, Project, SourceFile, Symbols};
+use crate::{Checker, Db, Environment, FileContext, Machine, Project, SourceFile, Symbols, Usage};
 
 /// The tree of a file.
 #[salsa::tracked(returns(ref), no_eq)]
@@ -56,6 +57,19 @@ pub fn symbols(db: &dyn Db, project: Project) -> Symbols {
     Symbols::new(&files)
 }
 
+/// What the project uses by number.
+#[salsa::tracked(returns(ref))]
+pub fn usage(db: &dyn Db, project: Project) -> Usage {
+    let files = project.files(db).iter().map(|file| (exports(db, *file), effects(db, *file)));
+    Usage::new(files, symbols(db, project))
+}
+
+/// The operands that a file writes by their numbers.
+#[salsa::tracked(returns(ref))]
+fn numbers(db: &dyn Db, file: SourceFile) -> Vec<(OperandClass, u64)> {
+    file_index(db, file).numbers.clone()
+}
+
 /// What `file` needs to know of the rest of the project.
 #[salsa::tracked(returns(ref))]
 pub fn environment(db: &dyn Db, project: Project, file: SourceFile) -> Environment {
@@ -63,7 +77,8 @@ pub fn environment(db: &dyn Db, project: Project, file: SourceFile) -> Environme
     // A file that is not of the project sees its symbols, and nothing of them is its own.
     let place = files.iter().position(|other| *other == file).unwrap_or(files.len());
     let name_of = |place: u32| files.get(place as usize).map_or("", |file| file.name(db)).into();
-    Environment::new(place as u32, exports(db, file), symbols(db, project), name_of)
+    let numbers = numbers(db, file);
+    Environment::new(place as u32, exports(db, file), numbers, symbols(db, project), name_of)
 }
 
 /// What `checker` finds in a file.
@@ -77,6 +92,7 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         index: file_index(db, file),
         environment: environment(db, project, file),
         machine: machine(db, project),
+        usage: usage(db, project),
         model: project.model(db),
         model_is_given: project.config(db).project.model.is_some(),
     });

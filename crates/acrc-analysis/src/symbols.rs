@@ -1,11 +1,12 @@
 //! What the files of a project know together: aliases, axis names by program, attachments in the order in which the
 //! setup makes them.
 
+use acrc_catalog::OperandClass;
 use acrc_syntax::units::Level;
 use rustc_hash::FxHashMap;
 
 use crate::FileRole;
-use crate::index::{AliasOperand, Attachment, AttachmentKind, Exports, Name, Sequence};
+use crate::index::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name, Sequence};
 
 /// The symbols of a project.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,6 +15,8 @@ pub struct Symbols {
     pub aliases: Vec<AliasSymbol>,
     /// Position in `aliases` by name.
     by_name: FxHashMap<Name, u32>,
+    /// Position in `aliases` of the first one for an operand.
+    by_operand: FxHashMap<(OperandClass, u64), u32>,
     /// Axis names by the level that they are valid at.
     pub axes: Vec<(Level, AxisTable)>,
     /// Attachments that contradict an earlier one, by file and by place in [`Exports::attachments`].
@@ -36,6 +39,10 @@ pub struct AliasSymbol {
     pub file: u32,
     /// The definition's place in [`Exports::aliases`] of that file.
     pub define: u32,
+    /// The levels at which the project uses it, sorted, each once.
+    pub used_at: Vec<Level>,
+    /// An earlier alias whose name differs in case only, by its place in [`Symbols::aliases`].
+    pub twin: Option<u32>,
 }
 
 /// The axis names of one program.
@@ -97,6 +104,7 @@ impl Symbols {
                 symbols.add_axis(attachment);
             }
         }
+        symbols.add_uses(files);
         symbols.conflicts = conflicts(files);
         symbols
     }
@@ -104,6 +112,11 @@ impl Symbols {
     /// The alias of this name.
     pub fn alias(&self, name: &str) -> Option<&AliasSymbol> {
         self.aliases.get(*self.by_name.get(name)? as usize)
+    }
+
+    /// The first alias for a parameter, bit or variable.
+    pub fn alias_for(&self, class: OperandClass, number: u64) -> Option<&AliasSymbol> {
+        self.aliases.get(*self.by_operand.get(&(class, number))? as usize)
     }
 
     /// The axis names that are valid at `level`. `None` when nothing attaches an axis there.
@@ -114,9 +127,31 @@ impl Symbols {
     fn add_aliases(&mut self, file: u32, exports: &Exports) {
         for (define, (name, operand)) in (0..).zip(&exports.aliases) {
             if !self.by_name.contains_key(name) {
-                self.by_name.insert(name.clone(), self.aliases.len() as u32);
-                self.aliases.push(AliasSymbol { name: name.clone(), operand: operand.clone(), file, define });
+                let place = self.aliases.len() as u32;
+                self.by_name.insert(name.clone(), place);
+                if let AliasTarget::Operand(class, Some(number)) = operand.target {
+                    self.by_operand.entry((class, number)).or_insert(place);
+                }
+                let (name, operand) = (name.clone(), operand.clone());
+                self.aliases.push(AliasSymbol { name, operand, file, define, used_at: Vec::new(), twin: None });
             }
+        }
+    }
+
+    /// Adds to the aliases where they are used and which of them are alike.
+    fn add_uses(&mut self, files: &[(FileRole, &Exports)]) {
+        for (name, level) in files.iter().flat_map(|(_, exports)| &exports.uses) {
+            let place = self.by_name.get(name).copied();
+            if let Some(alias) = place.and_then(|place| self.aliases.get_mut(place as usize)) {
+                alias.used_at.push(*level);
+            }
+        }
+        let mut folded: FxHashMap<Name, u32> = FxHashMap::default();
+        for (place, alias) in (0..).zip(&mut self.aliases) {
+            alias.used_at.sort_unstable();
+            alias.used_at.dedup();
+            let first = *folded.entry(alias.name.to_ascii_lowercase().into()).or_insert(place);
+            alias.twin = (first != place).then_some(first);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Walks over the parts of a statement that several layers look at: expressions and axis names.
 
-use acrc_catalog::UnaryOperator;
-use acrc_syntax::ast::{Argument, Axis, Dim, Expr, ExprKind, Input, Print, Statement, StatementKind};
+use acrc_catalog::{Operator, UnaryOperator};
+use acrc_syntax::ast::{Argument, Axis, BitArgument, Dim, Expr, ExprKind, Input, Print, Statement, StatementKind};
 
 /// Calls `visit` for every expression of `statement`, the outer before the inner ones.
 pub fn expressions<'t>(statement: &'t Statement, visit: &mut impl FnMut(&'t Expr)) {
@@ -87,6 +87,18 @@ pub fn axes(statement: &Statement) -> impl Iterator<Item = &Axis> {
     })
 }
 
+/// The bits that a statement names as its arguments: those of `SET`, `CLR`, `INH` and of ladder instructions.
+pub fn bits(statement: &Statement) -> impl Iterator<Item = &BitArgument> {
+    let arguments = match &statement.kind {
+        StatementKind::Command(command) => command.arguments.as_slice(),
+        _ => &[],
+    };
+    arguments.iter().filter_map(|argument| match argument {
+        Argument::Bit(bit) => Some(bit),
+        _ => None,
+    })
+}
+
 /// The number that a literal stands for, signs and parentheses included. `None` for everything that is computed.
 pub fn literal(expr: &Expr) -> Option<f64> {
     match &expr.kind {
@@ -94,6 +106,25 @@ pub fn literal(expr: &Expr) -> Option<f64> {
         ExprKind::Real(value) => Some(*value),
         ExprKind::Paren(inner) | ExprKind::Unary(UnaryOperator::Plus, inner) => literal(inner),
         ExprKind::Unary(UnaryOperator::Minus, inner) => literal(inner).map(|value| -value),
+        _ => None,
+    }
+}
+
+/// The number of something that is addressed by a constant: a literal, or literals added and multiplied, as in
+/// `P(12288+256)`. `None` for everything else, and where the number is negative or not whole.
+pub fn whole(expr: &Expr) -> Option<u64> {
+    match &expr.kind {
+        ExprKind::Integer(value) => Some(*value),
+        ExprKind::Paren(inner) | ExprKind::Unary(UnaryOperator::Plus, inner) => whole(inner),
+        ExprKind::Binary(operator, _, sides) => {
+            let [left, right] = [whole(&sides[0])?, whole(&sides[1])?];
+            match operator {
+                Operator::Add => left.checked_add(right),
+                Operator::Sub => left.checked_sub(right),
+                Operator::Mul => left.checked_mul(right),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }

@@ -103,3 +103,18 @@ fn a_comment_in_the_setup_checks_the_setup_only() {
     assert_eq!(count(&computed, "diagnostics"), 1);
     assert_eq!(count(&computed, "symbols"), 0);
 }
+
+#[test]
+fn the_first_use_of_an_alias_checks_the_file_that_defines_it() {
+    let mut bench = Bench::new();
+    let computed = bench.edit(2, &SECOND.replace("Y20", "Y20 : SET Clamp"));
+    assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
+}
+
+#[test]
+fn another_number_checks_its_own_file_only() {
+    let mut bench = Bench::new();
+    let computed = bench.edit(1, &FIRST.replace("X10", "X10 : P5 = P12290"));
+    assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
+    assert_eq!(count(&computed, "symbols"), 0);
+}

@@ -1,6 +1,6 @@
 //! One pass over a file that fills its index.
 
-use acrc_catalog::{ObjectKind, command};
+use acrc_catalog::{ObjectKind, OperandClass, command};
 use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Argument, Command, Define, Expr, ExprKind, Separator, Statement, StatementKind};
@@ -21,16 +21,19 @@ pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Expo
         text,
         tree,
         uses: FxHashSet::default(),
+        numbers: FxHashSet::default(),
         exports: Exports::default(),
         effects: effects::Collector::new(text),
     };
-    let mut index = FileIndex { implicit_program, sections: Vec::new(), defines: Vec::new(), attachments: Vec::new() };
+    let mut index = FileIndex { implicit_program, ..FileIndex::default() };
     for mut section in units::split(tree, role.start()) {
         if implicit_program && section.level == role.start() {
             section.kind = SectionKind::Stored;
         }
         builder.section(section, &mut index);
     }
+    index.numbers = builder.numbers.iter().copied().collect();
+    index.numbers.sort_unstable();
     let (exports, effects) = builder.finish();
     (index, exports, effects)
 }
@@ -38,7 +41,8 @@ pub(super) fn build(text: &str, tree: &Tree, role: FileRole) -> (FileIndex, Expo
 struct Builder<'a> {
     text: &'a str,
     tree: &'a Tree,
-    uses: FxHashSet<&'a str>,
+    uses: FxHashSet<(&'a str, Level)>,
+    numbers: FxHashSet<(OperandClass, u64)>,
     exports: Exports,
     effects: effects::Collector<'a>,
 }
@@ -78,7 +82,10 @@ impl<'a> Builder<'a> {
                 _ => {}
             }
             self.effects.statement(section.level, section.kind == SectionKind::Stored, statement);
-            self.collect_uses(statement);
+            self.collect_uses(section.level, statement);
+        }
+        if section.kind == SectionKind::Stored && does_something(self.tree, &section) {
+            self.exports.stored.push(section.level);
         }
         labels.sort_by_key(|label: &LabelSite| (self.slice(label.name), label.statement));
         let lines = self.line_numbers(&section);
@@ -104,14 +111,20 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn collect_uses(&mut self, statement: &Statement) {
+    fn collect_uses(&mut self, level: Level, statement: &Statement) {
         let text = self.text;
-        let uses = &mut self.uses;
-        walk::expressions(statement, &mut |expr: &Expr| {
-            if matches!(expr.kind, ExprKind::Alias) {
-                uses.insert(text.get(expr.span.range()).unwrap_or_default());
+        let (uses, numbers) = (&mut self.uses, &mut self.numbers);
+        walk::expressions(statement, &mut |expr: &Expr| match &expr.kind {
+            ExprKind::Alias => {
+                uses.insert((text.get(expr.span.range()).unwrap_or_default(), level));
             }
+            ExprKind::Operand(operand) => {
+                numbers.extend(walk::whole(&operand.index).map(|number| (operand.class, number)));
+            }
+            _ => {}
         });
+        let bits = walk::bits(statement).filter_map(|bit| walk::whole(&bit.index));
+        numbers.extend(bits.map(|number| (OperandClass::Bit, number)));
     }
 
     fn line_numbers(&self, section: &Section) -> Vec<LineSite> {
@@ -150,13 +163,26 @@ impl<'a> Builder<'a> {
     }
 
     fn finish(mut self) -> (Exports, Effects) {
-        let mut uses: Vec<Name> = self.uses.into_iter().map(Name::from).collect();
+        let mut uses: Vec<_> = self.uses.into_iter().map(|(name, level)| (Name::from(name), level)).collect();
         uses.sort_unstable();
         self.exports.uses = uses;
-        self.exports.levels.sort_unstable();
-        self.exports.levels.dedup();
+        for levels in [&mut self.exports.levels, &mut self.exports.stored] {
+            levels.sort_unstable();
+            levels.dedup();
+        }
         (self.exports, self.effects.finish())
     }
+}
+
+/// Whether a section holds more than remarks, labels and its end.
+fn does_something(tree: &Tree, section: &Section) -> bool {
+    let range = section.statements.start as usize..section.statements.end as usize;
+    let idle = |kind: &StatementKind| match kind {
+        StatementKind::Remark(_) | StatementKind::Label(_) => true,
+        StatementKind::Command(command) => command.id == command::END,
+        _ => false,
+    };
+    tree.statements().get(range).is_some_and(|statements| statements.iter().any(|statement| !idle(&statement.kind)))
 }
 
 fn jump(statement: u32, command: &Command) -> Option<Jump> {

@@ -14,10 +14,12 @@ pub struct Exports {
     pub aliases: Vec<(Name, AliasOperand)>,
     /// Attachments and detachments, in the order of the text.
     pub attachments: Vec<Attachment>,
-    /// The names in places where an alias may stand, sorted, each once.
-    pub uses: Vec<Name>,
+    /// The names in places where an alias may stand, with the levels of those places, sorted, each once.
+    pub uses: Vec<(Name, Level)>,
     /// Levels at which it has code, sorted, each once.
     pub levels: Vec<Level>,
+    /// Levels for which it stores text that does something, sorted, each once.
+    pub stored: Vec<Level>,
     /// It switches the prompt (`PROG0`, `PLC1`, `SYS`).
     pub switches_level: bool,
     /// It holds a `PROGRAM`.
@@ -58,10 +60,8 @@ impl AliasTarget {
         match &operand.kind {
             ExprKind::Paren(inner) => Self::of(inner),
             ExprKind::Operand(operand) => {
-                let number = match operand.index.kind {
-                    ExprKind::Integer(number) => Some(number),
-                    _ => None,
-                };
+                // An element of an array is none that the number alone stands for.
+                let number = if operand.element.is_none() { crate::walk::whole(&operand.index) } else { None };
                 Self::Operand(operand.class, number)
             }
             ExprKind::String(_) => Self::Text,

@@ -8,7 +8,7 @@ mod effects;
 mod exports;
 mod section;
 
-use acrc_catalog::command;
+use acrc_catalog::{OperandClass, command};
 use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
 use acrc_syntax::ast::StatementKind;
@@ -20,7 +20,7 @@ pub use section::{Jump, LabelSite, LineSite, SectionIndex, Swallowed};
 use crate::FileRole;
 
 /// Everything about one file that its own text decides, with places.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct FileIndex {
     /// The file is a program without `PROGRAM`: its whole text is stored.
     pub implicit_program: bool,
@@ -30,6 +30,8 @@ pub struct FileIndex {
     pub defines: Vec<DefineSite>,
     /// Places of the attachments, in the order of [`Exports::attachments`].
     pub attachments: Vec<AttachmentSite>,
+    /// The operands that are written by their numbers, sorted, each once.
+    pub numbers: Vec<(OperandClass, u64)>,
 }
 
 /// Where an alias is defined.
