@@ -1,6 +1,6 @@
 //! What a rule sees while the pass goes over a file.
 
-use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, SectionIndex};
+use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, SectionIndex, Usage};
 use acrc_catalog::{Confidence, Model};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
@@ -46,6 +46,11 @@ impl<'a> Context<'a> {
     /// What the project makes of its controller.
     pub(crate) fn machine(&self) -> &'a Machine {
         self.file.machine
+    }
+
+    /// What the project uses by number.
+    pub(crate) fn usage(&self) -> &'a Usage {
+        self.file.usage
     }
 
     pub(crate) fn model(&self) -> &'static Model {

@@ -13,6 +13,7 @@ mod context;
 mod flow;
 mod near_command;
 mod pass;
+mod references;
 mod registry;
 mod rule;
 mod rules;

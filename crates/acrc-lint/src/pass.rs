@@ -8,6 +8,7 @@ use acrc_syntax::ast::{Expr, Statement};
 
 use crate::Context;
 use crate::consequences::Consequences;
+use crate::references::{self, Reference};
 use crate::registry::RULES;
 use crate::rule::{Check, On};
 use crate::settings::Settings;
@@ -22,6 +23,7 @@ struct Plan {
     statement: Vec<fn(&mut Context<'_>, &Statement)>,
     /// By [`On`].
     expression: [Vec<CheckExpression>; On::COUNT],
+    reference: Vec<fn(&mut Context<'_>, &Reference)>,
 }
 
 static PLAN: LazyLock<Plan> = LazyLock::new(|| {
@@ -32,6 +34,7 @@ static PLAN: LazyLock<Plan> = LazyLock::new(|| {
             Check::Section(check) => plan.section.push(check),
             Check::Statement(check) => plan.statement.push(check),
             Check::Expression(on, check) => plan.expression[on as usize].push(check),
+            Check::Reference(check) => plan.reference.push(check),
         }
     }
     plan
@@ -50,6 +53,7 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
             check(&mut context, section);
         }
     }
+    let mut references = Vec::new();
     let mut sections = file.index.sections.iter().peekable();
     for (at, statement) in (0..).zip(file.tree.statements()) {
         while sections.next_if(|section| section.section.statements.end <= at).is_some() {}
@@ -64,6 +68,12 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
                 check(&mut context, expr);
             }
         });
+        references::collect(&context, statement, &mut references);
+        for reference in &references {
+            for check in &plan.reference {
+                check(&mut context, reference);
+            }
+        }
     }
     let consequences = Consequences::new(file);
     let mut found = context.into_findings();

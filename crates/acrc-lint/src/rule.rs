@@ -8,6 +8,7 @@ use acrc_syntax::ast::{Expr, ExprKind, Statement};
 use acrc_analysis::SectionIndex;
 
 use crate::Context;
+use crate::references::Reference;
 
 /// The documentation of a rule: what `acrc explain` prints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +81,8 @@ pub(crate) enum Check {
     Statement(fn(&mut Context<'_>, &Statement)),
     /// At each expression of some kind, the inner ones included.
     Expression(On, fn(&mut Context<'_>, &Expr)),
+    /// At each parameter, bit and variable whose number is known, however it is written.
+    Reference(fn(&mut Context<'_>, &Reference)),
 }
 
 /// The kinds of expressions, as rules ask for them.

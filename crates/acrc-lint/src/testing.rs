@@ -36,11 +36,16 @@ pub(crate) fn lines_of(code: &str, files: &[(&str, &str)]) -> Vec<Vec<u32>> {
     files.iter().zip(found).map(|((_, text), found)| found.iter().map(|found| line(text, found)).collect()).collect()
 }
 
-/// The texts at which one rule, on by itself or not, finds something in a single file.
-pub(crate) fn spans_of<'t>(code: &str, text: &'t str) -> Vec<&'t str> {
+/// The findings of one rule, on by itself or not, in a single file.
+pub(crate) fn found_by(code: &str, text: &str) -> Vec<Diagnostic> {
     let mut config = Config::default();
     config.lint.select = Some(vec![code.to_owned()]);
-    let found = lint_with(acrc_catalog::default_model(), config, &[("test.8K", text)]).concat();
+    lint_with(acrc_catalog::default_model(), config, &[("test.8K", text)]).concat()
+}
+
+/// The texts at which one rule, on by itself or not, finds something in a single file.
+pub(crate) fn spans_of<'t>(code: &str, text: &'t str) -> Vec<&'t str> {
+    let found = found_by(code, text);
     found.iter().map(|found| text.get(found.span.range()).unwrap_or_default()).collect()
 }
 

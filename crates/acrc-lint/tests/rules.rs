@@ -8,8 +8,8 @@ use acrc_syntax::SourceText;
 
 const NAME: &str = "example.8K";
 
-/// Pages whose examples describe a file instead of showing one.
-const DESCRIBED: [&str; 4] = ["ACR004", "ACR025", "ACR027", "ACR031"];
+/// Pages whose examples describe a file instead of showing one, or need a project that names its model.
+const DESCRIBED: [&str; 5] = ["ACR004", "ACR025", "ACR027", "ACR031", "ACR310"];
 
 /// The findings of all rules that are on by themselves, and of `also`.
 fn lint_with(also: Option<&RuleDoc>, program: &str) -> Vec<Diagnostic> {

@@ -1,5 +1,6 @@
 //! `ACR212`: an alias whose name breaks the rules for names.
 
+use acrc_catalog::Word;
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Statement, StatementKind};
 
@@ -48,12 +49,22 @@ fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
         );
     }
     let word = acrc_catalog::word(name)?;
-    let is_taken =
-        word.command.is_some() || word.function.is_some() || word.operand.is_some() || word.operator.is_some();
-    is_taken.then(|| {
+    is_taken(&word).then(|| {
         let message = format!("the alias `{name}` is a word of the language");
         RULE.at(span, message).with_help("it reads as that word: take another name").unconfirmed()
     })
+}
+
+/// Whether a word is read as something else wherever it stands. What is only a daughter, such as HOME, is one behind its
+/// parent only.
+fn is_taken(word: &Word) -> bool {
+    word.command.is_some()
+        || word.object.is_some()
+        || word.function.is_some()
+        || word.operator.is_some()
+        || word.unary.is_some()
+        || word.operand.is_some()
+        || word.keyword.is_some()
 }
 
 fn takes_digits(model: &str) -> bool {
@@ -62,12 +73,27 @@ fn takes_digits(model: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::codes;
+    use crate::testing::{codes, codes_in, lint_as};
 
     #[test]
     fn up_to_twenty_four_letters() {
         let name = |count: usize| "A".repeat(count);
         assert_eq!(codes(&format!("#DEFINE {} P1\n", name(24))), []);
         assert_eq!(codes(&format!("#DEFINE {} P1\n", name(25))), [(1, "ACR212")]);
+    }
+
+    #[test]
+    fn words_of_the_language_are_taken() {
+        for word in ["Vel", "Enc", "Slave", "Then", "Clock", "Not", "Mod", "Sin"] {
+            assert_eq!(codes(&format!("#DEFINE {word} P1\n")), [(1, "ACR212")], "{word}");
+        }
+        assert_eq!(codes("#DEFINE Home BIT40\nSET Home\n"), []);
+    }
+
+    #[test]
+    fn letters_only() {
+        assert_eq!(codes("#DEFINE Clamp_A P1\n#DEFINE ClampA P1\n#DEFINE Clamp1 P2\n"), [(1, "ACR212"), (3, "ACR212")]);
+        let later = "#DEFINE Clamp1 P2\n";
+        assert_eq!(codes_in(later, &lint_as("ACR7000", later)), []);
     }
 }

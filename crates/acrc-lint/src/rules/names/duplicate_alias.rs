@@ -26,7 +26,7 @@ pub(crate) static RULE: Rule = Rule {
 fn check(context: &mut Context<'_>) {
     for (place, site) in (0..).zip(&context.index().defines) {
         let name = context.slice(site.name);
-        let Some(AliasFact::Defined { operand, first }) = context.alias(site.name) else { continue };
+        let Some(AliasFact::Defined { operand, first, .. }) = context.alias(site.name) else { continue };
         if *first == DefinedIn::This(place) {
             continue;
         }

@@ -49,8 +49,9 @@ fn finding(context: &Context<'_>, expr: &Expr, near: Option<&str>) -> Diagnostic
         Some(near) => diagnostic
             .with_help(format!("did you mean `{near}`? Aliases are case-sensitive"))
             .with_fix(Fix::unsafe_(format!("write `{near}`"), vec![Edit::replace(expr.span, near)])),
-        None => diagnostic
+        None if name.bytes().all(|byte| byte.is_ascii_alphabetic()) => diagnostic
             .with_help(format!("define it: #DEFINE {name} followed by a parameter, bit, variable or constant")),
+        None => diagnostic.with_help("an alias has letters only: take another name and define it with #DEFINE"),
     }
 }
 

@@ -1,12 +1,10 @@
 //! `ACR302`: writing what only the controller writes.
 
-use acrc_analysis::AliasFact;
-use acrc_analysis::index::AliasTarget;
-use acrc_catalog::{Access, Confidence, Known, OperandClass, command};
-use acrc_diagnostics::{Code, Severity, Span};
-use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
+use acrc_catalog::{Access, Confidence, Known, OperandClass, parameter_number};
+use acrc_diagnostics::{Code, Severity};
 
 use crate::Context;
+use crate::references::{Reference, Usage};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -22,74 +20,45 @@ pub(crate) static RULE: Rule = Rule {
         good: "PROG0\nPROGRAM\nINH -792\nENDP",
         guide: "Programming Basics / Parameters and Bits",
     },
-    checks: &[Check::Statement(check)],
+    checks: &[Check::Reference(check)],
 };
 
-fn check(context: &mut Context<'_>, statement: &Statement) {
-    match &statement.kind {
-        StatementKind::Assign(assign) => written(context, &assign.target),
-        StatementKind::For(counted) => written(context, &counted.variable),
-        StatementKind::Input(input) => input.variables.iter().for_each(|variable| written(context, variable)),
-        StatementKind::Command(set) if set.id == command::SET || set.id == command::CLR => {
-            for argument in &set.arguments {
-                if let Argument::Bit(bit) = argument {
-                    written_bit(context, bit.span, &bit.index);
-                }
-            }
-        }
-        _ => {}
-    }
-}
+/// Reports beside which there is a setting of the same quantity, with that.
+const SETTINGS: [(&str, &str); 2] =
+    [("jog_velocity_current", "jog_velocity"), ("jog_acceleration_current", "jog_acceleration")];
 
-fn written(context: &mut Context<'_>, target: &Expr) {
-    match &target.kind {
-        ExprKind::Operand(operand) => {
-            if let ExprKind::Integer(number) = operand.index.kind {
-                judge(context, target.span, operand.class, number);
-            }
-        }
-        ExprKind::Alias => written_alias(context, target.span),
-        _ => {}
+fn check(context: &mut Context<'_>, reference: &Reference) {
+    if reference.usage != Usage::Write {
+        return;
     }
-}
-
-fn written_bit(context: &mut Context<'_>, span: Span, index: &Expr) {
-    match index.kind {
-        ExprKind::Integer(number) => judge(context, span, OperandClass::Bit, number),
-        ExprKind::Alias => written_alias(context, index.span),
-        _ => {}
-    }
-}
-
-fn written_alias(context: &mut Context<'_>, span: Span) {
-    if let Some(AliasFact::Defined { operand, .. }) = context.alias(span)
-        && let AliasTarget::Operand(class, Some(number)) = operand.target
-    {
-        judge(context, span, class, number);
-    }
-}
-
-fn judge(context: &mut Context<'_>, span: Span, class: OperandClass, number: u64) {
-    let Ok(number) = u32::try_from(number) else { return };
-    let (word, title, known, access, confidence) = match class {
+    let Some(number) = reference.small() else { return };
+    let (field, object, title, known, access, confidence) = match reference.class {
         OperandClass::Parameter => {
             let info = acrc_catalog::parameter(number);
-            ("P", info.title, info.known, info.access, info.confidence)
+            (info.field, info.object_index, info.title, info.known, info.access, info.confidence)
         }
         OperandClass::Bit => {
             let info = acrc_catalog::bit(number);
-            ("bit ", info.title, info.known, info.access, info.confidence)
+            (info.field, info.object_index, info.title, info.known, info.access, info.confidence)
         }
         _ => return,
     };
-    if known == Known::Row && access == Access::Read && confidence == Confidence::High {
-        context.report(RULE.at(span, format!("{word}{number} ({title}) is written by the controller only")));
+    if known != Known::Row || access != Access::Read || confidence != Confidence::High {
+        return;
     }
+    let message = format!("{} ({title}) is written by the controller only", reference.name());
+    let finding = reference.labelled(RULE.at(reference.span, message));
+    let setting = SETTINGS.iter().find(|(report, _)| *report == field).map(|(_, setting)| *setting);
+    let setting = setting.and_then(|setting| parameter_number(setting, object?));
+    context.report(match setting {
+        Some(setting) => finding.with_help(format!("the setting is P{setting}")),
+        None => finding,
+    });
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::codes;
+    use crate::testing::{codes, lint, spans_of};
 
     #[test]
     fn every_way_of_writing() {
@@ -98,7 +67,20 @@ mod tests {
     }
 
     #[test]
+    fn every_bit_of_a_list_and_every_constant() {
+        assert_eq!(spans_of("ACR302", "CLR 8467 CLR792\nSET BIT(768+32)\n"), ["792", "BIT(768+32)"]);
+        assert_eq!(spans_of("ACR302", "FOR P12291 = 1 TO 2\nNEXT\nINPUT P12292\n"), ["P12291", "P12292"]);
+    }
+
+    #[test]
     fn through_an_alias() {
-        assert_eq!(codes("#DEFINE Jogging BIT792\nCLR Jogging\n"), [(2, "ACR302")]);
+        let text = "#DEFINE Jogging BIT792\nCLR Jogging\n";
+        assert_eq!(codes(text), [(2, "ACR302")]);
+        assert_eq!(lint(&[("test.8K", text)])[0][0].label.as_deref(), Some("this is bit 792"));
+    }
+
+    #[test]
+    fn the_setting_of_the_same_quantity_is_named() {
+        assert_eq!(lint(&[("test.8K", "P12602 = 5\n")])[0][0].help.as_deref(), Some("the setting is P12604"));
     }
 }
