@@ -5,9 +5,10 @@ use acrc_catalog::OperandClass;
 use acrc_syntax::units::Level;
 use rustc_hash::FxHashMap;
 
+use crate::Conflict;
 use crate::index::{AliasOperand, AliasTarget, Exports, Name};
 use crate::near::nearest;
-use crate::symbols::{AliasSymbol, AxisTable, Conflict, Symbols};
+use crate::symbols::{AliasSymbol, AxisTable, Symbols};
 
 /// The part of the project's symbols that one file uses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,6 +19,8 @@ pub struct Environment {
     own: FxHashMap<Name, OwnAlias>,
     /// Aliases for the operands that this file writes by their numbers.
     named: FxHashMap<(OperandClass, u64), Name>,
+    /// The place of this file in the project.
+    pub place: u32,
     /// Attachments of this file that contradict an earlier one.
     pub conflicts: Vec<Conflict>,
     /// See [`Symbols::fragment`].
@@ -100,6 +103,7 @@ impl Environment {
                 .iter()
                 .filter_map(|key| Some((*key, symbols.alias_for(key.0, key.1)?.name.clone())))
                 .collect(),
+            place: file,
             conflicts: symbols.conflicts.iter().filter(|conflict| conflict.file == file).cloned().collect(),
             fragment: symbols.fragment,
             excerpt: symbols.excerpt,

@@ -7,8 +7,10 @@
 //! **Invariants.** No other crate knows salsa. Nothing here reads a disk except through [`project::Files`]. What one
 //! file sees of another never holds a place in its text.
 
+mod attachments;
 mod checker;
 mod db;
+pub mod deed;
 mod environment;
 pub mod facts;
 pub mod index;
@@ -25,14 +27,16 @@ pub mod walk;
 
 /// The codes of what [`project::LoadedProject::compile`] reports.
 pub use acrc_compile::codes as compile_codes;
+pub use attachments::{Conflict, Contradiction, Taken};
 pub use checker::{Checker, FileContext};
 pub use db::{Database, Db};
+pub use deed::Deed;
 pub use environment::{AliasFact, DefinedIn, Environment, OwnAlias};
 pub use index::{Exports, FileIndex, SectionIndex};
 pub use input::{Project, SourceFile};
-pub use machine::Machine;
+pub use machine::{AxisSet, Machine};
 pub use near::nearest;
 pub use query::{diagnostics, parse};
 pub use role::FileRole;
-pub use symbols::{AliasSymbol, AxisTable, Conflict, Symbols, Taken};
+pub use symbols::{AliasSymbol, AxisTable, Symbols};
 pub use usage::{Usage, is_wizards};

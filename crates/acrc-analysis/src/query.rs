@@ -6,6 +6,8 @@
 //!                └─ effects ─ machine, usage ────────────┴─ diagnostics
 //! ```
 //!
+//! (`machine` asks `symbols` and `exports` too: axes have names, flags have aliases.)
+//!
 //! `exports`, `effects`, `environment`, `machine` and `usage` are the places where the effect of an edit ends: they hold no places
 //! in the text, and what is computed from them is computed again only when they really differ.
 
@@ -47,7 +49,8 @@ pub fn effects(db: &dyn Db, file: SourceFile) -> Effects {
 /// What the project makes of its controller.
 #[salsa::tracked(returns(ref))]
 pub fn machine(db: &dyn Db, project: Project) -> Machine {
-    Machine::new(project.files(db).iter().map(|file| exports(db, *file)))
+    let files: Vec<_> = project.files(db).iter().map(|file| (exports(db, *file), effects(db, *file))).collect();
+    Machine::new(symbols(db, project), &files)
 }
 
 /// The symbols of a project.

@@ -6,7 +6,8 @@ use acrc_syntax::units::Level;
 use rustc_hash::FxHashMap;
 
 use crate::FileRole;
-use crate::index::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name, Sequence};
+use crate::attachments::{Conflict, conflicts};
+use crate::index::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name};
 
 /// The symbols of a project.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -19,7 +20,7 @@ pub struct Symbols {
     by_operand: FxHashMap<(OperandClass, u64), u32>,
     /// Axis names by the level that they are valid at.
     pub axes: Vec<(Level, AxisTable)>,
-    /// Attachments that contradict an earlier one, by file and by place in [`Exports::attachments`].
+    /// Attachments that contradict what stands when they are made, by file and by place in [`Exports::attachments`].
     pub conflicts: Vec<Conflict>,
     /// The files are a piece of code without its surroundings: one file that is not a setup and neither switches the
     /// prompt nor attaches anything. Axis names that such a piece does not declare may well be declared elsewhere.
@@ -57,36 +58,13 @@ pub struct AxisTable {
 impl AxisTable {
     /// Whether the program has an axis of this name, in any case.
     pub fn has(&self, name: &str) -> bool {
-        self.names.iter().any(|(known, _)| known.eq_ignore_ascii_case(name))
+        self.find(name).is_some()
     }
-}
 
-/// An attachment that contradicts an earlier one that still stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Conflict {
-    /// The file, by its place in the project.
-    pub file: u32,
-    /// The attachment, by its place in [`Exports::attachments`].
-    pub attachment: u32,
-    /// What is taken.
-    pub taken: Taken,
-    /// The level of the earlier attachment.
-    pub level: Level,
-    /// Its slot.
-    pub slot: u32,
-    /// Its axis.
-    pub axis: u32,
-}
-
-/// What two attachments both want.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Taken {
-    /// The slot of the master.
-    Slot,
-    /// The axis; it may be attached once in the whole system.
-    Axis,
-    /// The axis name; it may be given once in a program.
-    Name,
+    /// The axis of this name, in any case.
+    pub fn find(&self, name: &str) -> Option<&(Name, Option<u32>)> {
+        self.names.iter().find(|(known, _)| known.eq_ignore_ascii_case(name))
+    }
 }
 
 impl Symbols {
@@ -105,7 +83,7 @@ impl Symbols {
             }
         }
         symbols.add_uses(files);
-        symbols.conflicts = conflicts(files);
+        symbols.conflicts = conflicts(files.iter().map(|(_, exports)| *exports));
         symbols
     }
 
@@ -175,74 +153,4 @@ fn is_fragment(only: &Exports) -> bool {
         !matches!(attachment.kind, AttachmentKind::Master { .. } | AttachmentKind::Axis { .. })
     };
     !only.switches_level && !only.attachments.iter().any(names_axes)
-}
-
-/// An attachment that stands.
-struct Standing<'a> {
-    level: Level,
-    slot: u32,
-    axis: u32,
-    name: Option<&'a Name>,
-}
-
-/// Plays the attachments through in the order in which they happen. Conditional ones are left out: whether they
-/// happen is not known.
-fn conflicts(files: &[(FileRole, &Exports)]) -> Vec<Conflict> {
-    let mut conflicts = Vec::new();
-    let mut typed: Vec<Standing> = Vec::new();
-    for (file, (_, exports)) in (0..).zip(files) {
-        let mut stored: Vec<Standing> = Vec::new();
-        let mut current = Sequence::Immediate;
-        for (place, attachment) in (0..).zip(&exports.attachments) {
-            if attachment.sequence != current {
-                stored.clear();
-                current = attachment.sequence;
-            }
-            let standing = if current == Sequence::Immediate { &mut typed } else { &mut stored };
-            if let Some((taken, by)) = play(standing, attachment) {
-                conflicts.push(Conflict {
-                    file,
-                    attachment: place,
-                    taken,
-                    level: by.level,
-                    slot: by.slot,
-                    axis: by.axis,
-                });
-            }
-        }
-    }
-    conflicts
-}
-
-/// Applies one change; returns the earlier attachment that it contradicts.
-fn play<'s, 'a>(standing: &'s mut Vec<Standing<'a>>, change: &'a Attachment) -> Option<(Taken, &'s Standing<'a>)> {
-    match &change.kind {
-        AttachmentKind::DetachAll => standing.clear(),
-        // A conditional DETACH may have freed what is attached next.
-        AttachmentKind::Detach { slot, axis } => standing.retain(|other| {
-            other.level != change.level
-                || slot.is_some_and(|slot| slot != other.slot)
-                || axis.is_some_and(|axis| axis != other.axis)
-        }),
-        AttachmentKind::Slave { .. } if change.conditional => {}
-        AttachmentKind::Slave { slot: Some(slot), axis: Some(axis), name } => {
-            let same_program = |other: &Standing| other.level == change.level;
-            let taken = [
-                (Taken::Slot, standing.iter().position(|o| same_program(o) && o.slot == *slot)),
-                (Taken::Axis, standing.iter().position(|o| o.axis == *axis)),
-                (
-                    Taken::Name,
-                    standing.iter().position(|o| same_program(o) && name.is_some() && o.name == name.as_ref()),
-                ),
-            ];
-            for (taken, earlier) in taken {
-                if let Some(earlier) = earlier {
-                    return standing.get(earlier).map(|earlier| (taken, earlier));
-                }
-            }
-            standing.push(Standing { level: change.level, slot: *slot, axis: *axis, name: name.as_ref() });
-        }
-        AttachmentKind::Slave { .. } | AttachmentKind::Master { .. } | AttachmentKind::Axis { .. } => {}
-    }
-    None
 }

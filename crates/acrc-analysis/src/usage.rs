@@ -2,10 +2,10 @@
 //! which user flags somebody sets. Checks that judge one file by all others ask this, and it holds answers only, so that
 //! an edit that changes none of them costs nothing.
 
-use acrc_catalog::{BitKind, ObjectKind, OperandClass, Space, command, law};
+use acrc_catalog::{BitKind, ObjectKind, OperandClass, Space, law};
 use acrc_syntax::units::Level;
 
-use crate::index::{AliasTarget, AttachmentKind, Effects, Exports, On, WriteKind, Written};
+use crate::index::{AliasTarget, AttachmentKind, Effects, Exports, WriteKind};
 use crate::symbols::Symbols;
 
 /// The wizard has limits for this many axes.
@@ -36,13 +36,23 @@ impl Usage {
         let mut limits = Vec::new();
         for (exports, effects) in files {
             usage.add_objects(exports, effects);
-            for write in &effects.writes {
-                let Some((class, number)) = written(&write.what, symbols) else { continue };
-                usage.add_write(write.how, class, number);
-                if let Some(number) = number.filter(|number| write.level == Level::System && is_wizards(class, *number))
-                {
-                    usage.wizard |= class == OperandClass::Bit;
-                    limits.push(number);
+            usage.sets_any_flag |= effects.computed_user_flags;
+            for write in &effects.user {
+                usage.add_write(write.how, write.class, write.number);
+                if write.system && is_wizards(write.class, write.number) {
+                    usage.wizard |= write.class == OperandClass::Bit;
+                    limits.push(write.number);
+                }
+            }
+            for (name, how) in &effects.aliases {
+                let alias = symbols.alias(name);
+                let Some(AliasTarget::Operand(class, number)) = alias.map(|alias| alias.operand.target) else {
+                    continue;
+                };
+                match number.map(u32::try_from) {
+                    Some(Ok(number)) => usage.add_write(*how, class, number),
+                    Some(Err(_)) => {}
+                    None => usage.sets_any_flag |= class == OperandClass::Bit,
                 }
             }
         }
@@ -59,37 +69,31 @@ impl Usage {
     fn add_objects(&mut self, exports: &Exports, effects: &Effects) {
         self.programs.extend_from_slice(&exports.stored);
         for attachment in &exports.attachments {
-            if let AttachmentKind::Axis { axis: Some(axis) } = attachment.kind {
+            if let AttachmentKind::Axis { axis: Some(axis), .. } = attachment.kind {
                 self.axes.push(axis);
             }
         }
-        for command in &effects.commands {
-            match command.on {
-                On::Object(ObjectKind::Axis, Some(axis)) => self.axes.push(axis),
-                On::Object(ObjectKind::Master, Some(master)) => self.masters.push(master),
-                _ => {}
+        for (kind, index) in &effects.objects {
+            match kind {
+                ObjectKind::Axis => self.axes.push(*index),
+                _ => self.masters.push(*index),
             }
-            // Which flag a rung puts out is not among the writes.
-            self.sets_any_flag |= [command::OUT, command::OUT_NOT].contains(&command.command);
         }
     }
 
-    fn add_write(&mut self, how: WriteKind, class: OperandClass, number: Option<u32>) {
-        let Some(number) = number else {
-            self.sets_any_flag |= matches!(class, OperandClass::Bit | OperandClass::Parameter);
-            return;
-        };
-        match class {
-            OperandClass::Bit if how != WriteKind::Clear && acrc_catalog::bit(number).kind == Some(BitKind::User) => {
-                self.set_flags.push(number);
-            }
-            // A whole word of flags is written at once.
-            OperandClass::Parameter => {
-                self.sets_any_flag |= acrc_catalog::parameter(number).object == Space::Flags;
-            }
-            _ => {}
+    fn add_write(&mut self, how: WriteKind, class: OperandClass, number: u32) {
+        if how != WriteKind::Clear && is_user_flag(class, number) {
+            self.set_flags.push(number);
         }
+        // A whole word of flags is written at once.
+        self.sets_any_flag |=
+            class == OperandClass::Parameter && acrc_catalog::parameter(number).object == Space::Flags;
     }
+}
+
+/// Whether it is a flag that means what a program makes of it.
+pub(crate) fn is_user_flag(class: OperandClass, number: u32) -> bool {
+    class == OperandClass::Bit && acrc_catalog::bit(number).kind == Some(BitKind::User)
 }
 
 /// Whether the parameters hold the positive and the negative travel limit of some axis.
@@ -113,17 +117,4 @@ pub fn is_wizards(class: OperandClass, number: u32) -> bool {
         _ => return false,
     };
     object == Space::User && field.starts_with("wizard_")
-}
-
-/// What a write reaches: its class, and its number unless that is computed.
-fn written(what: &Written, symbols: &Symbols) -> Option<(OperandClass, Option<u32>)> {
-    let small = |number: u64| u32::try_from(number).ok();
-    match what {
-        Written::Operand(class, number) => Some((*class, Some(small(*number)?))),
-        Written::Computed(class) => Some((*class, None)),
-        Written::Alias(name) => match symbols.alias(name)?.operand.target {
-            AliasTarget::Operand(class, number) => Some((class, number.and_then(small))),
-            _ => None,
-        },
-    }
 }

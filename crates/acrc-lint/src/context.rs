@@ -1,10 +1,14 @@
 //! What a rule sees while the pass goes over a file.
 
+use std::cell::OnceCell;
+
 use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, SectionIndex, Usage};
 use acrc_catalog::{Confidence, Model};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
 use acrc_syntax::units::Level;
+
+use crate::motions::{self, Motion};
 
 /// The file, the place of the pass in it, and the findings so far.
 pub(crate) struct Context<'a> {
@@ -12,13 +16,21 @@ pub(crate) struct Context<'a> {
     section: Option<&'a SectionIndex>,
     statement: u32,
     found: Vec<Diagnostic>,
+    motions: OnceCell<Vec<Motion>>,
     /// Levels whose missing attachments were reported.
     pub(crate) reported_levels: Vec<Level>,
 }
 
 impl<'a> Context<'a> {
     pub(crate) fn new(file: &'a FileContext<'a>) -> Self {
-        Self { file, section: None, statement: 0, found: Vec::new(), reported_levels: Vec::new() }
+        Self {
+            file,
+            section: None,
+            statement: 0,
+            found: Vec::new(),
+            motions: OnceCell::new(),
+            reported_levels: Vec::new(),
+        }
     }
 
     /// The text of the file.
@@ -51,6 +63,11 @@ impl<'a> Context<'a> {
     /// What the project uses by number.
     pub(crate) fn usage(&self) -> &'a Usage {
         self.file.usage
+    }
+
+    /// The motion in the stored programs of the file.
+    pub(crate) fn motions(&self) -> &[Motion] {
+        self.motions.get_or_init(|| motions::collect(self.file))
     }
 
     pub(crate) fn model(&self) -> &'static Model {

@@ -11,6 +11,7 @@
 mod consequences;
 mod context;
 mod flow;
+mod motions;
 mod near_command;
 mod pass;
 mod references;

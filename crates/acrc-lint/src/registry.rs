@@ -1,7 +1,7 @@
 //! The list of all rules, and the way from a code or name to its page.
 
 use crate::rule::{Rule, RuleDoc};
-use crate::rules::{arguments, compile, flow, names, parameters, syntax};
+use crate::rules::{arguments, compile, flow, motion, names, parameters, syntax};
 
 /// Every rule, in the order of the codes.
 pub(crate) const RULES: &[&Rule] = &[
@@ -69,6 +69,27 @@ pub(crate) const RULES: &[&Rule] = &[
     &parameters::wizard_number::RULE,
     &parameters::never_set_flag::RULE,
     &parameters::contradictory_bit_test::RULE,
+    &motion::slave_before_master::RULE,
+    &motion::master_in_two_programs::RULE,
+    &motion::second_master::RULE,
+    &motion::motion_without_attachments::RULE,
+    &motion::drive_never_enabled::RULE,
+    &motion::velocity_never_set::RULE,
+    &motion::jog_velocity_never_set::RULE,
+    &motion::ramp_never_set::RULE,
+    &motion::homing_without_limits::RULE,
+    &motion::limit_inputs_cross_block::RULE,
+    &motion::kill_never_cleared::RULE,
+    &motion::reversed_limits::RULE,
+    &motion::software_limits_not_set::RULE,
+    &motion::abrupt_stop::RULE,
+    &motion::program_never_started::RULE,
+    &motion::runs_empty_program::RULE,
+    &motion::homing_velocity_never_set::RULE,
+    &motion::slash_outside_linear_move::RULE,
+    &motion::gear_without_source::RULE,
+    &motion::pulses_per_unit_never_set::RULE,
+    &motion::error_without_response::RULE,
 ];
 
 /// The pages of all rules, in the order of the codes.

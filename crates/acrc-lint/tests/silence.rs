@@ -71,7 +71,7 @@ fn a_whole_project() {
                  #DEFINE Ready BIT128\n#DEFINE Lamp BIT33\n#DEFINE Cycles P10\n\
                  ATTACH AXIS0 ENC0 DAC0 ENC0\nATTACH AXIS1 STEPPER0 STEPPER0\nAXIS0 PPU 2000\nAXIS0 EXC (0.5,-0.5)\n\
                  PROG0\nDETACH\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"ROT\"\n\
-                 ACC 100 DEC 100 STP 100 VEL 20\n";
+                 ACC 100 DEC 100 STP 100 VEL 20 JOG VEL X10\n";
     let motion = "PROGRAM\nDIM LV(2)\nDIM $V(1,20)\nDRIVE ON X ROT\nGOSUB Home\n_Cycle\nSET Ready\n\
                   FOR LV0 = 1 TO 4 STEP 1\nROT/90\nINH -516\nIF (BIT 5)\nGOSUB Press\nELSE IF (BIT 6)\nBREAK\nELSE\n\
                   DWL 0.1\nENDIF\nNEXT\nCycles = Cycles + 1\n$V0 = \"cycle \" + STR$(Cycles)\nPRINT #1, $V0; \" done\"\n\

@@ -64,6 +64,9 @@ impl<'a> Builder<'a> {
         };
         self.exports.has_program |= section.opener.is_some();
         self.exports.levels.push(section.level);
+        if section.kind == SectionKind::Stored && !section.statements.is_empty() {
+            self.effects.program(section.level);
+        }
 
         let blocks = blocks::match_blocks(self.tree, section.statements.clone());
         let mut place = Place { level: section.level, sequence, blocks: &blocks, behind_then: false };
@@ -150,7 +153,10 @@ impl<'a> Builder<'a> {
                 AttachmentKind::Slave { slot, axis, name }
             }
             command::ATTACH_MASTER => AttachmentKind::Master { master: object(ObjectKind::Master) },
-            command::ATTACH_AXIS => AttachmentKind::Axis { axis },
+            command::ATTACH_AXIS => {
+                let is_stepper = |argument: &Argument| matches!(argument, Argument::Object(object) if object.kind == ObjectKind::Stepper);
+                AttachmentKind::Axis { axis, stepper: command.arguments.iter().any(is_stepper) }
+            }
             command::DETACH => AttachmentKind::Detach { slot, axis },
             command::DETACH_ALL => AttachmentKind::DetachAll,
             _ => return None,

@@ -106,6 +106,8 @@ pub enum AttachmentKind {
     Axis {
         /// The axis.
         axis: Option<u32>,
+        /// Its output is steps.
+        stepper: bool,
     },
     /// `ATTACH SLAVEn AXISm "name"`
     Slave {

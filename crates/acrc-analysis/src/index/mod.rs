@@ -13,7 +13,7 @@ use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
 use acrc_syntax::ast::StatementKind;
 
-pub use effects::{CommandUse, Effects, On, Write, WriteKind, Written};
+pub use effects::{Effects, Use, UserWrite, WriteKind};
 pub use exports::{AliasOperand, AliasTarget, Attachment, AttachmentKind, Exports, Name, Sequence, operand_text};
 pub use section::{Jump, LabelSite, LineSite, SectionIndex, Swallowed};
 

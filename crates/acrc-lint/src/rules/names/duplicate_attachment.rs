@@ -1,6 +1,6 @@
 //! `ACR206`: a slave slot, an axis or an axis name that is attached a second time.
 
-use acrc_analysis::{Conflict, Taken};
+use acrc_analysis::{Contradiction, Taken};
 use acrc_diagnostics::{Code, Severity};
 
 use crate::rule::{Check, Group, Rule, RuleDoc};
@@ -25,17 +25,16 @@ pub(crate) static RULE: Rule = Rule {
 
 fn check(context: &mut Context<'_>) {
     for conflict in &context.environment().conflicts {
+        let Contradiction::Slave { taken, slot, axis } = conflict.what else { continue };
         if let Some(site) = context.index().attachments.get(conflict.attachment as usize) {
-            let diagnostic = RULE.at(site.statement, message(conflict));
+            let diagnostic = RULE.at(site.statement, message(taken, slot, axis, &level_name(conflict.level)));
             context.report(diagnostic.with_help("DETACH first, or take another one"));
         }
     }
 }
 
-fn message(conflict: &Conflict) -> String {
-    let Conflict { slot, axis, .. } = conflict;
-    let program = level_name(conflict.level);
-    match conflict.taken {
+fn message(taken: Taken, slot: u32, axis: u32, program: &str) -> String {
+    match taken {
         Taken::Slot => format!("SLAVE{slot} of {program} already holds AXIS{axis}"),
         Taken::Axis => format!("AXIS{axis} is already attached to SLAVE{slot} of {program}"),
         Taken::Name => format!("{program} already has an axis of this name: AXIS{axis} on SLAVE{slot}"),
@@ -69,8 +68,7 @@ mod tests {
 
     #[test]
     fn what_may_not_happen_proves_nothing() {
-        let program =
-            "PROG0\nPROGRAM\nIF (BIT 1)\nATTACH SLAVE0 AXIS0 \"X\"\nELSE\nATTACH SLAVE0 AXIS1 \"X\"\nENDIF\nENDP\n";
+        let program = "PROG0\nATTACH MASTER0\nPROGRAM\nIF (BIT 1)\nATTACH SLAVE0 AXIS0 \"X\"\nELSE\nATTACH SLAVE0 AXIS1 \"X\"\nENDIF\nENDP\n";
         assert_eq!(codes(program), []);
     }
 

@@ -1,0 +1,98 @@
+//! `ACR505`: motion of an axis whose drive nothing enables.
+
+use acrc_analysis::Deed;
+use acrc_diagnostics::{Code, Diagnostic, Severity};
+
+use super::{axis_name, first_motions, verb};
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR505", name: "drive-never-enabled" },
+        group: Group::Motion,
+        severity: Severity::Warning,
+        enabled: true,
+        what: "A program moves an axis, and nothing in the project enables its drive: neither DRIVE ON nor its enable \
+               flag (8465 + 32 * axis). Only projects that enable drives are judged; where the setup hands the drive's \
+               signals to the controller and no drive at all is enabled, it is advice, as a host or an operator may do \
+               it. Axes with step outputs are left out.",
+        why: "The profile runs while the motor has no power: the following error grows until the axis is killed, and the \
+              program waits for a motion that never happens.",
+        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nVEL 5\n\
+              PROGRAM\nDRIVE ON X\nX10 Y10\nENDP",
+        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nVEL 5\n\
+               PROGRAM\nDRIVE ON X Y\nX10 Y10\nENDP",
+        guide: "Application Examples / Enable Drive",
+    },
+    checks: &[Check::File(check)],
+};
+
+fn check(context: &mut Context<'_>) {
+    let machine = context.machine();
+    let others = !machine.axes_with(Deed::DriveOn).is_empty();
+    for motion in first_motions(context, &Deed::MOTION) {
+        let judged = others || machine.axes_with(Deed::DriveSignals).has(motion.axis);
+        if judged && machine.never(Deed::DriveOn, motion.axis) && !machine.steppers.may_have(motion.axis) {
+            let (axis, verb) = (axis_name(context, &motion), verb(&motion));
+            let message = format!("{axis} {verb}, but nothing in the project enables its drive");
+            let help = format!("enable it before it moves: DRIVE ON {}", context.slice(motion.span));
+            let severity = if others { Severity::Warning } else { Severity::Advice };
+            context.report(Diagnostic { severity, ..RULE.at(motion.span, message).with_help(help) });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{lint, spans_of};
+
+    const SETUP: &str = "#DEFINE EnableY BIT8497\nATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 \
+                         AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n";
+
+    fn found(setup: &str, program: &str) -> Vec<String> {
+        let text = format!("{SETUP}SYS\n{setup}\nPROG0\nPROGRAM\n{program}\nENDP\n");
+        spans_of("ACR505", &text).into_iter().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn one_of_two_drives_is_forgotten() {
+        assert_eq!(found("", "DRIVE ON X\nX10 Y10\nY20"), ["Y"]);
+        assert_eq!(found("", "SET 8465\nJOG FWD Y"), ["Y"]);
+    }
+
+    #[test]
+    fn every_way_of_enabling() {
+        for enable in [
+            "DRIVE ON X Y",
+            "DRIVE ON AXIS1",
+            "AXIS1 DRIVE ON",
+            "SET 8497",
+            "SET BIT8497",
+            "SET EnableY",
+            "BIT8497 = 1",
+            "SET (8465 + 32 * P0)",
+            "SET 1985",
+            "P4361 = 131072",
+        ] {
+            assert_eq!(found("", &format!("{enable}\nY10")), [""; 0], "{enable}");
+        }
+        assert_eq!(found("", "SET (100 + P0) : DRIVE ON X\nY10"), ["Y"], "a user flag");
+    }
+
+    #[test]
+    fn a_project_that_enables_no_drive_leaves_it_to_others() {
+        assert_eq!(found("", "X10 Y10"), [""; 0]);
+        let text = format!("{SETUP}SYS\nSET BIT8468\nPROG0\nPROGRAM\nX10 Y10\nENDP\n");
+        let found = lint(&[("test.8K", &text)]).concat();
+        let own: Vec<_> = found.iter().filter(|found| found.code.id == "ACR505").collect();
+        assert_eq!(own.iter().map(|found| found.severity).collect::<Vec<_>>(), [Severity::Advice]);
+    }
+
+    #[test]
+    fn steps_need_no_enable() {
+        assert_eq!(found("ATTACH AXIS1 STEPPER1 STEPPER1", "DRIVE ON X\nX10 Y10"), [""; 0]);
+    }
+}
