@@ -126,8 +126,13 @@ impl<'a> Builder<'a> {
             }
             _ => {}
         });
+        // What could not be read may use any alias whose name stands in it.
+        if statement.kind == StatementKind::Error {
+            let words = self.slice(statement.span).split(|c: char| !c.is_ascii_alphanumeric());
+            self.uses.extend(words.filter(|word| !word.is_empty()).map(|word| (word, level)));
+        }
         let bits = walk::bits(statement).filter_map(|bit| walk::whole(&bit.index));
-        numbers.extend(bits.map(|number| (OperandClass::Bit, number)));
+        self.numbers.extend(bits.map(|number| (OperandClass::Bit, number)));
     }
 
     fn line_numbers(&self, section: &Section) -> Vec<LineSite> {

@@ -73,6 +73,12 @@ mod tests {
     }
 
     #[test]
+    fn a_statement_that_could_not_be_read_may_use_it() {
+        let text = format!("#DEFINE Guard BIT2\n{}", PROGRAM.replace("Lamp", "Lamp\nP0 = )Guard"));
+        assert_eq!(spans_of("ACR214", &text), [""; 0]);
+    }
+
+    #[test]
     fn aliases_are_case_sensitive() {
         let text = format!("#DEFINE Lamp BIT32\n#DEFINE lamp BIT33\n{PROGRAM}");
         assert_eq!(spans_of("ACR214", &text), ["lamp"]);
