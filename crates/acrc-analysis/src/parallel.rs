@@ -25,7 +25,9 @@ pub fn for_each(db: &Database, files: &[SourceFile], work: impl Fn(&Database, So
     let processors = thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let threads = processors.min(files.len() / FILES_A_THREAD);
     if threads < 2 {
-        files.iter().for_each(|file| work(db, *file));
+        for file in files {
+            work(db, *file);
+        }
         return;
     }
     let next = AtomicUsize::new(0);
