@@ -118,11 +118,11 @@ impl MasterSites {
     }
 
     /// Whether a master that was not met yet may still be attached before this slave: the order of files, and of stored
-    /// programs, is not certain.
+    /// programs, is not certain. A project that attaches no master at all finds them on its controller.
     fn may_come_first(&self, file: u32, slave: &Attachment) -> bool {
         let typed_here = slave.sequence == Sequence::Immediate;
         let counts = |site: &(Level, u32, bool)| site.0 == slave.level && !(typed_here && site.1 == file && !site.2);
-        self.0.iter().any(counts)
+        self.0.is_empty() || self.0.iter().any(counts)
     }
 }
 

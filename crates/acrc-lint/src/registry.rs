@@ -90,6 +90,10 @@ pub(crate) const RULES: &[&Rule] = &[
     &motion::gear_without_source::RULE,
     &motion::pulses_per_unit_never_set::RULE,
     &motion::error_without_response::RULE,
+    &motion::wait_for_other_master::RULE,
+    &motion::wait_for_other_axis::RULE,
+    &motion::coordinated_wait_for_jog::RULE,
+    &motion::jog_stopped_at_once::RULE,
 ];
 
 /// The pages of all rules, in the order of the codes.

@@ -50,7 +50,7 @@ fn spellings_of_the_field() {
         "X / 0.2 Y/-3",
         "PPU X4000 Y 4000 HLIM X3Y3",
         "AXIS0 JOG INC 5 : AXIS1 RES",
-        "JOG FWD X Y JOG OFF X",
+        "JOG OFF X JOG FWD X Y",
         "EXITFLAG=30:GOTO Done",
         "MOV X(P0+P1) Y(SQRT(P2))",
         "IF (BIT24 AND NOT BIT25)THEN SET34:CLR35",

@@ -54,9 +54,9 @@ mod tests {
     #[test]
     fn a_program_in_a_program_is_one_mistake() {
         assert_eq!(codes("PROG0\nPROGRAM\nPROGRAM\nSET 32\nENDP\nENDP\n"), [(2, "ACR113")]);
-        let first = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\n_A\nX10\nGOTO A\n";
-        let second = "PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Y\"\nPROGRAM\n_A\nY10\nGOTO A\nENDP\n";
-        assert_eq!(codes(&format!("{first}{second}")), [(4, "ACR113")]);
+        let first = "PROG0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\n_A\nX10\nGOTO A\n";
+        let second = "PROG1\nATTACH SLAVE0 AXIS1 \"Y\"\nPROGRAM\n_A\nY10\nGOTO A\nENDP\n";
+        assert_eq!(codes(&format!("{first}{second}")), [(3, "ACR113")]);
         assert_eq!(codes(&format!("{first}ENDP\n{second}")), []);
     }
 }

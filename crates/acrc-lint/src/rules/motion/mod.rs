@@ -5,11 +5,13 @@
 //! at one place: the first motion of the axis, or of the program, in the first file that has some.
 
 pub(crate) mod abrupt_stop;
+pub(crate) mod coordinated_wait_for_jog;
 pub(crate) mod drive_never_enabled;
 pub(crate) mod error_without_response;
 pub(crate) mod gear_without_source;
 pub(crate) mod homing_velocity_never_set;
 pub(crate) mod homing_without_limits;
+pub(crate) mod jog_stopped_at_once;
 pub(crate) mod jog_velocity_never_set;
 pub(crate) mod kill_never_cleared;
 pub(crate) mod limit_inputs_cross_block;
@@ -24,7 +26,10 @@ pub(crate) mod second_master;
 pub(crate) mod slash_outside_linear_move;
 pub(crate) mod slave_before_master;
 pub(crate) mod software_limits_not_set;
+mod straight;
 pub(crate) mod velocity_never_set;
+pub(crate) mod wait_for_other_axis;
+pub(crate) mod wait_for_other_master;
 
 use acrc_analysis::{Contradiction, Deed};
 use acrc_catalog::ObjectKind;

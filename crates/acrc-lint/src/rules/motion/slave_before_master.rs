@@ -13,7 +13,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Error,
         enabled: true,
-        what: "An ATTACH SLAVE stands where its program has no master yet.",
+        what: "An ATTACH SLAVE stands where its program has no master yet. A project that attaches no master at all is not \
+               judged: it may find them on its controller.",
         why: "A slave is a place of the program's master. Without the master the controller refuses the attachment, the \
               axis has no name in the program, and all its moves are refused too.",
         bad: "PROG0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH MASTER0",
@@ -49,7 +50,7 @@ mod tests {
         assert_eq!(found(&format!("PROG0\nATTACH MASTER0\nPROG1\n{SLAVE}\n")), [SLAVE]);
         assert_eq!(found(&format!("PROG0\nATTACH MASTER0\nDETACH\n{SLAVE}\n")), [SLAVE]);
         assert_eq!(found(&format!("PROG0\nATTACH MASTER0\nDETACH ALL\n{SLAVE}\n")), [SLAVE]);
-        assert_eq!(found(&format!("PROG0\nPROGRAM\n{SLAVE}\nENDP\n")), [SLAVE]);
+        assert_eq!(found(&format!("PROG0\nATTACH MASTER0\nPROG1\nPROGRAM\n{SLAVE}\nENDP\n")), [SLAVE]);
     }
 
     #[test]
@@ -61,7 +62,8 @@ mod tests {
             format!("PROG0\nIF (BIT 5) THEN ATTACH MASTER0\n{SLAVE}\n"),
             format!("PROG0\nATTACH MASTER0\nPROGRAM\n{SLAVE}\nENDP\n"),
             format!("PROG0\nPROGRAM\nGOSUB A\n{SLAVE}\nEND\n_A\nATTACH MASTER0\nRETURN\nENDP\n"),
-            format!("{SLAVE}\n"),
+            format!("PROG0\n{SLAVE}\n"),
+            format!("PROG0\nATTACH MASTER0\nSYS\n{SLAVE}\n"),
         ] {
             assert_eq!(found(&text), [""; 0], "{text}");
         }

@@ -1,0 +1,101 @@
+//! `ACR525`: a wait for the end of a jog that watches another axis.
+
+use acrc_analysis::Deed;
+use acrc_diagnostics::{Code, Severity};
+use acrc_syntax::ast::{Statement, StatementKind};
+
+use super::straight;
+use crate::Context;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR525", name: "wait-for-other-axis" },
+        group: Group::Motion,
+        severity: Severity::Warning,
+        enabled: true,
+        what: "An INH directly behind a jog or a homing waits for a jog or home flag of an axis that the program never \
+               moves.",
+        why: "The flags of an axis are 32 numbers apart from those of the next one, and they stay when a machine is \
+              rewired. The program waits for an axis that stands still: for ever, or not at all, so that it goes on while \
+              its own axis is still on its way.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\nINH 16166\nENDP",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\nINH 16134\nENDP",
+        guide: "Making Motion / Homing",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+/// The flags of an axis that tell of its jog profiler.
+const FLAGS: [&str; 4] = ["jog_active", "home_found", "home_failed", "home_input"];
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let StatementKind::Command(command) = &statement.kind else { return };
+    let Some((bit, flag)) = straight::awaited(context, command) else { return };
+    let Some(axis) = flag.object_index.filter(|_| FLAGS.contains(&flag.field)) else { return };
+    let level = context.level();
+    if context.motions().iter().any(|motion| motion.level == level && motion.axis == axis) {
+        return;
+    }
+    let Some(jogged) = jogged_before(context) else { return };
+    let right = acrc_catalog::bit_number(flag.field, jogged);
+    let message = format!("flag {} is that of AXIS{axis}, and the jog before is one of AXIS{jogged}", flag.number);
+    let diagnostic = RULE.at(bit.span, message);
+    context.report(match right {
+        Some(right) => diagnostic.with_help(format!("the same flag of AXIS{jogged} is {right}")),
+        None => diagnostic,
+    });
+}
+
+/// The axis of the nearest jog, when all axes that are jogged directly before the wait are known, and none is waited for.
+fn jogged_before(context: &Context<'_>) -> Option<u32> {
+    let mut jogged = Vec::new();
+    let mut awaited = Vec::new();
+    for statement in straight::before(context) {
+        awaited.extend(straight::awaited_by(context, statement).and_then(|flag| flag.object_index));
+        for (deed, axis) in straight::deeds(context, statement) {
+            if matches!(deed, Deed::Jog | Deed::Home) {
+                jogged.push(axis?);
+            }
+        }
+    }
+    let nearest = jogged.first().copied()?;
+    (!jogged.iter().any(|axis| awaited.contains(axis))).then_some(nearest)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::spans_of;
+
+    fn found(program: &str) -> Vec<String> {
+        let text = format!(
+            "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \
+             \"Y\"\nPROGRAM\n{program}\nENDP\n"
+        );
+        spans_of("ACR525", &text).into_iter().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn the_flag_of_an_axis_that_is_not_moved() {
+        assert_eq!(found("JOG HOME X-1\nINH 16166\nSET 32"), ["16166"]);
+        assert_eq!(found("JOG INC X5 Y5\nSET 32 : INH -BIT856"), ["-BIT856"]);
+        assert_eq!(found("JOG HOME X-1 Y1\nINH 16194\nINH 16226"), ["16194", "16226"]);
+    }
+
+    #[test]
+    fn waits_that_are_meant() {
+        for program in [
+            "JOG HOME X-1\nINH 16134",
+            "JOG HOME X-1\nINH 16130",
+            "JOG INC X5\nINH -792\nINH -824",
+            "JOG INC X5\nINH -824\nGOSUB A\nEND\n_A\nJOG INC Y5\nRETURN",
+            "INH -824\nJOG INC X5",
+            "JOG INC X5\n_A\nINH -824",
+            "X10\nINH -824",
+            "JOG INC X5\nINH 24",
+            "JOG INC AXIS 5\nINH -824",
+        ] {
+            assert_eq!(found(program), [""; 0], "{program}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! `ACR524`: a wait for the end of a move that watches another master.
+
+use acrc_analysis::{Deed, walk};
+use acrc_diagnostics::{Code, Severity};
+use acrc_syntax::ast::{Argument, ExprKind, Statement, StatementKind};
+
+use super::straight;
+use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::{Context, level_name};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR524", name: "wait-for-other-master" },
+        group: Group::Motion,
+        severity: Severity::Warning,
+        enabled: true,
+        what: "An INH directly behind a move of the program waits for the in-motion flag of another master: one without \
+               axes, or one of another program while this program looks at its own flag nowhere.",
+        why: "Each master has its own flag (516 + 32 * master, for the first eight). The flag of a master that stands \
+              still is off, so the program does not wait at all: what should happen at the end of the move happens at its \
+              start.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\nPROGRAM\n\
+              Z10\nINH -516\nSET 32\nENDP",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\n\
+               PROGRAM\nZ10\nINH -548\nSET 32\nENDP",
+        guide: "Programming Basics / Program Flow",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+/// The flag of a master that is on while its moves run.
+const IN_MOTION: &str = "in_motion";
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let StatementKind::Command(command) = &statement.kind else { return };
+    let Some((bit, flag)) = straight::awaited(context, command).filter(|(_, flag)| flag.field == IN_MOTION) else {
+        return;
+    };
+    let (Some(master), Some(own)) = (flag.object_index, straight::only_master(context)) else { return };
+    let Some(right) = acrc_catalog::bit_number(IN_MOTION, own) else { return };
+    if master == own || !follows_move(context, right) || (has_axes(context, master) && looks_at(context, right)) {
+        return;
+    }
+    let number = flag.number;
+    let message = format!("flag {number} is that of MASTER{master}, and the move before is one of MASTER{own}");
+    let program = level_name(context.level());
+    context
+        .report(RULE.at(bit.span, message).with_help(format!("the moves of {program} are in motion at flag {right}")));
+}
+
+/// Whether a move stands directly before the wait, and no wait for its own master between.
+fn follows_move(context: &Context<'_>, right: u32) -> bool {
+    for statement in straight::before(context) {
+        if straight::awaited_by(context, statement).is_some_and(|flag| flag.number == right) {
+            return false;
+        }
+        if straight::deeds(context, statement).iter().any(|(deed, _)| *deed == Deed::Move) {
+            return true;
+        }
+    }
+    false
+}
+
+/// Whether a master may move something.
+fn has_axes(context: &Context<'_>, master: u32) -> bool {
+    let machine = context.machine();
+    let mut levels = machine.masters.iter().filter(|(other, _)| *other == master).map(|(_, level)| *level);
+    levels.any(|level| machine.axes.iter().any(|(_, of)| *of == level))
+}
+
+/// Whether the present program looks at a flag somewhere: then it may well wait for other masters besides.
+fn looks_at(context: &Context<'_>, flag: u32) -> bool {
+    let Some(section) = context.section() else { return false };
+    let range = section.section.statements.start as usize..section.section.statements.end as usize;
+    let is_flag = |kind: &ExprKind| matches!(kind, ExprKind::Integer(number) if *number == u64::from(flag));
+    context.tree().statements().get(range).unwrap_or_default().iter().any(|statement| {
+        let mut found = straight::awaited_by(context, statement).is_some_and(|awaited| awaited.number == flag);
+        walk::expressions(statement, &mut |expr| found |= is_flag(&expr.kind));
+        if let StatementKind::Command(command) = &statement.kind {
+            found |= command.arguments.iter().any(|a| matches!(a, Argument::Bit(bit) if is_flag(&bit.index.kind)));
+        }
+        found
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::spans_of;
+
+    fn found(program: &str) -> Vec<String> {
+        let text = format!(
+            "#DEFINE Moving BIT516\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG2\nATTACH \
+             MASTER2\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\nPROGRAM\n{program}\nENDP\n"
+        );
+        spans_of("ACR524", &text).into_iter().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn the_flag_of_another_master() {
+        assert_eq!(found("Z10\nINH -516\nSET 32"), ["-516"]);
+        assert_eq!(found("Z10 : P0 = P0 + 1 : CLR 33\nREM wait\nINH -Moving"), ["-Moving"]);
+        assert_eq!(found("IF (BIT 1) THEN Z10 : INH -516"), ["-516"]);
+    }
+
+    #[test]
+    fn a_master_without_axes_is_never_in_motion() {
+        assert_eq!(found("INH -548\nZ10\nINH -580"), ["-580"]);
+    }
+
+    #[test]
+    fn waits_that_are_meant() {
+        for program in [
+            "Z10\nINH -548",
+            "Z10\nINH -548\nINH -516",
+            "INH -516\nZ10",
+            "Z10\nINH -516\nZ0\nINH -548",
+            "Z10\n_A\nINH -516",
+            "IF (BIT 1) THEN Z10\nINH -516",
+            "JOG INC Z5\nINH -516",
+            "Z10\nINH -516\nIF (BIT 548) THEN SET 32",
+        ] {
+            assert_eq!(found(program), [""; 0], "{program}");
+        }
+    }
+}
