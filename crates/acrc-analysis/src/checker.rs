@@ -8,7 +8,7 @@ use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
 use crate::project::LintConfig;
-use crate::{Environment, FileIndex, Machine, Usage};
+use crate::{Db, Environment, FileIndex, Machine, Project, Usage, query};
 
 /// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
 /// one of these changes.
@@ -30,10 +30,36 @@ pub struct FileContext<'a> {
     pub machine: &'a Machine,
     /// What the project uses by number.
     pub usage: &'a Usage,
+    /// What few files ask.
+    pub questions: Questions<'a>,
     /// The controller model.
     pub model: &'static Model,
     /// The project names the model; otherwise it is the default one.
     pub model_is_given: bool,
+}
+
+/// Questions about the whole project that few files ask. What a file does not ask it does not depend on.
+#[derive(Clone, Copy)]
+pub struct Questions<'a> {
+    db: &'a dyn Db,
+    project: Project,
+}
+
+impl<'a> Questions<'a> {
+    pub(crate) fn new(db: &'a dyn Db, project: Project) -> Self {
+        Self { db, project }
+    }
+
+    /// Whether some code of the project may set this user flag.
+    pub fn may_set_flag(&self, flag: u32) -> bool {
+        query::set_flags(self.db, self.project).may_set(flag)
+    }
+}
+
+impl fmt::Debug for Questions<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Questions").finish_non_exhaustive()
+    }
 }
 
 /// A check of one file.

@@ -28,7 +28,7 @@ pub mod walk;
 /// The codes of what [`project::LoadedProject::compile`] reports.
 pub use acrc_compile::codes as compile_codes;
 pub use attachments::{Conflict, Contradiction, Taken};
-pub use checker::{Checker, FileContext};
+pub use checker::{Checker, FileContext, Questions};
 pub use db::{Database, Db};
 pub use deed::Deed;
 pub use environment::{AliasFact, DefinedIn, Environment, OwnAlias};

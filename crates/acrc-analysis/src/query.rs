@@ -15,7 +15,9 @@ use acrc_catalog::OperandClass;
 use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
+use crate::checker::Questions;
 use crate::index::{self, Effects, Exports, FileIndex};
+use crate::usage::SetFlags;
 use crate::{Checker, Db, Environment, FileContext, Machine, Project, SourceFile, Symbols, Usage};
 
 /// The tree of a file.
@@ -64,7 +66,13 @@ pub fn symbols(db: &dyn Db, project: Project) -> Symbols {
 #[salsa::tracked(returns(ref))]
 pub fn usage(db: &dyn Db, project: Project) -> Usage {
     let files = project.files(db).iter().map(|file| (exports(db, *file), effects(db, *file)));
-    Usage::new(files, symbols(db, project))
+    Usage::new(files)
+}
+
+/// The user flags that some code of the project sets.
+#[salsa::tracked(returns(ref))]
+pub(crate) fn set_flags(db: &dyn Db, project: Project) -> SetFlags {
+    SetFlags::new(project.files(db).iter().map(|file| effects(db, *file)), symbols(db, project))
 }
 
 /// The operands that a file writes by their numbers.
@@ -96,6 +104,7 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         environment: environment(db, project, file),
         machine: machine(db, project),
         usage: usage(db, project),
+        questions: Questions::new(db, project),
         model: project.model(db),
         model_is_given: project.config(db).project.model.is_some(),
     });

@@ -23,26 +23,25 @@ pub struct Usage {
     /// The setup writes parameters or flags as code of the vendor's wizard does: a flag that it keeps for itself, or both
     /// travel limits of an axis.
     pub wizard: bool,
-    /// User flags that some code sets, sorted.
-    pub set_flags: Vec<u32>,
-    /// Some code sets a flag whose number is computed, so that it may be any.
-    pub sets_any_flag: bool,
 }
 
-impl Usage {
+/// The user flags that some code of a project sets.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SetFlags {
+    /// Sorted.
+    flags: Vec<u32>,
+    /// Some code sets a flag whose number is computed, or a whole word of flags.
+    any: bool,
+}
+
+impl SetFlags {
     /// Puts together what the files do.
-    pub(crate) fn new<'a>(files: impl Iterator<Item = (&'a Exports, &'a Effects)>, symbols: &Symbols) -> Self {
-        let mut usage = Self::default();
-        let mut limits = Vec::new();
-        for (exports, effects) in files {
-            usage.add_objects(exports, effects);
-            usage.sets_any_flag |= effects.computed_user_flags;
+    pub(crate) fn new<'a>(files: impl Iterator<Item = &'a Effects>, symbols: &Symbols) -> Self {
+        let mut set = Self::default();
+        for effects in files {
+            set.any |= effects.computed_user_flags;
             for write in &effects.user {
-                usage.add_write(write.how, write.class, write.number);
-                if write.system && is_wizards(write.class, write.number) {
-                    usage.wizard |= write.class == OperandClass::Bit;
-                    limits.push(write.number);
-                }
+                set.add(write.how, write.class, write.number);
             }
             for (name, how) in &effects.aliases {
                 let alias = symbols.alias(name);
@@ -50,14 +49,46 @@ impl Usage {
                     continue;
                 };
                 match number.map(u32::try_from) {
-                    Some(Ok(number)) => usage.add_write(*how, class, number),
+                    Some(Ok(number)) => set.add(*how, class, number),
                     Some(Err(_)) => {}
-                    None => usage.sets_any_flag |= class == OperandClass::Bit,
+                    None => set.any |= class == OperandClass::Bit,
+                }
+            }
+        }
+        set.flags.sort_unstable();
+        set.flags.dedup();
+        set
+    }
+
+    fn add(&mut self, how: WriteKind, class: OperandClass, number: u32) {
+        if how != WriteKind::Clear && is_user_flag(class, number) {
+            self.flags.push(number);
+        }
+        self.any |= class == OperandClass::Parameter && acrc_catalog::parameter(number).object == Space::Flags;
+    }
+
+    /// Whether some code may set the flag.
+    pub(crate) fn may_set(&self, flag: u32) -> bool {
+        self.any || self.flags.binary_search(&flag).is_ok()
+    }
+}
+
+impl Usage {
+    /// Puts together what the files do.
+    pub(crate) fn new<'a>(files: impl Iterator<Item = (&'a Exports, &'a Effects)>) -> Self {
+        let mut usage = Self::default();
+        let mut limits = Vec::new();
+        for (exports, effects) in files {
+            usage.add_objects(exports, effects);
+            for write in &effects.user {
+                if write.system && is_wizards(write.class, write.number) {
+                    usage.wizard |= write.class == OperandClass::Bit;
+                    limits.push(write.number);
                 }
             }
         }
         usage.wizard |= has_both_limits(&limits);
-        for list in [&mut usage.axes, &mut usage.masters, &mut usage.set_flags] {
+        for list in [&mut usage.axes, &mut usage.masters] {
             list.sort_unstable();
             list.dedup();
         }
@@ -79,15 +110,6 @@ impl Usage {
                 _ => self.masters.push(*index),
             }
         }
-    }
-
-    fn add_write(&mut self, how: WriteKind, class: OperandClass, number: u32) {
-        if how != WriteKind::Clear && is_user_flag(class, number) {
-            self.set_flags.push(number);
-        }
-        // A whole word of flags is written at once.
-        self.sets_any_flag |=
-            class == OperandClass::Parameter && acrc_catalog::parameter(number).object == Space::Flags;
     }
 }
 

@@ -22,11 +22,20 @@ struct Bench {
 
 impl Bench {
     fn new() -> Self {
+        Self::with(SETUP)
+    }
+
+    /// A project that shows how its controller is set up, so that files depend on what others do.
+    fn complete() -> Self {
+        Self::with(&format!("{SETUP}SYS\nAXIS0 PPU 1000\nAXIS1 PPU 1000\n"))
+    }
+
+    fn with(setup: &str) -> Self {
         let log = Arc::new(Mutex::new(Vec::new()));
         let sink = Arc::clone(&log);
         let db =
             Database::observed(move |query| sink.lock().expect("no test panics while logging").push(query.to_owned()));
-        let texts = [("Setup.8K", SETUP), ("Prog0.8K", FIRST), ("Prog1.8K", SECOND)];
+        let texts = [("Setup.8K", setup), ("Prog0.8K", FIRST), ("Prog1.8K", SECOND)];
         let files = texts
             .map(|(name, text)| SourceFile::new(&db, name.to_owned(), text.to_owned(), FileRole::of(name), Vec::new()));
         let project = Project::new(&db, files.to_vec(), acrc_catalog::default_model(), Config::default());
@@ -117,4 +126,31 @@ fn another_number_checks_its_own_file_only() {
     let computed = bench.edit(1, &FIRST.replace("X10", "X10 : P5 = P12290"));
     assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
     assert_eq!(count(&computed, "symbols"), 0);
+}
+
+#[test]
+fn more_of_what_is_done_already_checks_its_own_file_only() {
+    let mut bench = Bench::complete();
+    for body in
+        ["X10 : X20 Y", "AXIS0 PPU 2000 : X10", "IF (BIT 1) THEN MOV X5", "P5 = 1 : SET 130 : X10", "NOSUCH 5 : X10"]
+    {
+        let computed = bench.edit(1, &format!("PROGRAM\nSET Clamp\n{body}\nENDP\n"));
+        assert_eq!(count(&computed, "diagnostics"), 1, "{body}: {computed:?}");
+    }
+}
+
+#[test]
+fn a_change_of_what_is_done_to_an_axis_checks_all_files() {
+    let mut bench = Bench::complete();
+    for body in ["DRIVE ON X : X10", "X10", "SET 8465 : X10", "SET 8497 : X10", "P12348 = 5 : X10", "JOG FWD AXIS1"] {
+        let computed = bench.edit(1, &format!("PROGRAM\nSET Clamp\n{body}\nENDP\n"));
+        assert_eq!(count(&computed, "diagnostics"), 3, "{body}: {computed:?}");
+    }
+}
+
+#[test]
+fn what_is_done_matters_only_in_projects_that_show_their_setup() {
+    let mut bench = Bench::new();
+    let computed = bench.edit(1, "PROGRAM\nSET Clamp\nDRIVE ON X : X10 : JOG FWD X\nENDP\n");
+    assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
 }

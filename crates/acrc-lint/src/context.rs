@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, SectionIndex, Usage};
+use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, Questions, SectionIndex, Usage};
 use acrc_catalog::{Confidence, Model};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
@@ -58,6 +58,11 @@ impl<'a> Context<'a> {
     /// What the project makes of its controller.
     pub(crate) fn machine(&self) -> &'a Machine {
         self.file.machine
+    }
+
+    /// What few files ask of the project.
+    pub(crate) fn questions(&self) -> Questions<'a> {
+        self.file.questions
     }
 
     /// What the project uses by number.

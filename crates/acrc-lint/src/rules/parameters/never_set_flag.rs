@@ -28,9 +28,8 @@ fn check(context: &mut Context<'_>, reference: &Reference) {
         return;
     }
     let Some(number) = reference.small() else { return };
-    let usage = context.usage();
     let is_user = acrc_catalog::bit(number).kind == Some(BitKind::User);
-    if is_user && !usage.sets_any_flag && !usage.set_flags.contains(&number) && !context.environment().fragment {
+    if is_user && !context.environment().fragment && !context.questions().may_set_flag(number) {
         let message = format!("no code of the project sets {}, which this waits for", reference.name());
         context.report(reference.labelled(RULE.at(reference.span, message)));
     }
