@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 
 use super::rows::{
-    BlockFile, Catalogue, CommandFile, FunctionFile, MessageFile, ModelFile, NumberFile, OperandFile, OperatorFile,
-    WordFile,
+    BlockFile, Catalogue, CommandFile, FunctionFile, MemoryFile, MessageFile, ModelFile, NumberFile, OperandFile,
+    OperatorFile, WordFile,
 };
 
 /// Reads everything below a directory. Each error names its file.
@@ -38,6 +38,7 @@ pub fn read(data: &Path) -> Result<Catalogue, Vec<String>> {
     catalogue.words = load::<WordFile>(&data.join("flag_words.toml"))?.word;
     catalogue.models = load::<ModelFile>(&data.join("models.toml"))?.model;
     catalogue.messages = load::<MessageFile>(&data.join("messages.toml"))?.message;
+    catalogue.memory = load::<MemoryFile>(&data.join("memory.toml"))?;
     Ok(catalogue)
 }
 

@@ -19,6 +19,7 @@ pub struct Catalogue {
     pub words: Vec<WordRow>,
     pub models: Vec<ModelRow>,
     pub messages: Vec<MessageRow>,
+    pub memory: MemoryFile,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -309,6 +310,43 @@ pub struct MessageRow {
     pub name: String,
     pub text: String,
     pub meaning: String,
+    pub source: String,
+    pub confidence: String,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MemoryFile {
+    pub factory: FactoryRow,
+    pub cost: Vec<CostRow>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FactoryRow {
+    pub program_bytes: u32,
+    pub programs: u8,
+    pub stream_bytes: u32,
+    pub source: String,
+    pub confidence: String,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CostRow {
+    pub constant: String,
+    pub name: String,
+    pub unit: String,
+    #[serde(default)]
+    pub each: u32,
+    #[serde(default)]
+    pub once: u32,
+    #[serde(default)]
+    pub character: u32,
+    pub most: Option<u32>,
+    pub level: String,
+    #[serde(default)]
+    pub note: String,
     pub source: String,
     pub confidence: String,
 }

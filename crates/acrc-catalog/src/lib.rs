@@ -7,7 +7,7 @@
 //! - commands: [`command`], [`Command`], [`word`] and [`daughter`] for the reader of program text
 //! - expressions: [`Operator`], [`UnaryOperator`], [`function`], [`OperandClass`]
 //! - numbers: [`parameter`], [`bit`], [`law`]
-//! - controllers: [`Model`], [`message`]
+//! - controllers: [`Model`], [`message`], [`memory`]
 //! - a person's questions: [`explain`]
 //!
 //! ```
@@ -30,6 +30,7 @@ mod fields;
 mod functions;
 mod generated;
 mod hash;
+pub mod memory;
 mod messages;
 mod models;
 mod numbers;

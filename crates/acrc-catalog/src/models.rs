@@ -2,6 +2,7 @@
 
 use crate::Confidence;
 use crate::generated::{DEFAULT_MODEL, MODELS};
+use crate::memory::FACTORY_PROGRAM_BYTES;
 
 /// A controller model. What no document states is assumed, and [`Model::note`] says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +33,14 @@ pub struct Model {
     pub source: &'static str,
     /// How well it is attested.
     pub confidence: Confidence,
+}
+
+impl Model {
+    /// Memory that its system level shares out to programs, PLC programs, user parameters, aliases and stream buffers, in
+    /// bytes. Never less than what the factory settings give to the programs.
+    pub const fn system_memory(&self) -> u32 {
+        if self.user_memory > FACTORY_PROGRAM_BYTES { self.user_memory } else { FACTORY_PROGRAM_BYTES }
+    }
 }
 
 /// Every model.

@@ -25,4 +25,4 @@ pub use diagnostics::codes;
 pub use error::{CompileError, CompileErrorKind};
 pub use project::{SourceUnit, compile};
 pub use scope::{NoNames, Scope, Tables};
-pub use statement::encode_statements;
+pub use statement::{encode_statement, encode_statements};

@@ -39,6 +39,22 @@ pub fn encode_statements(
     Err(encoder.errors.into_iter().map(|(span, kind)| CompileError { file: 0, span, kind }).collect())
 }
 
+/// The command and the items of one statement, for who wants to know what it costs and not where its words lie.
+///
+/// # Errors
+/// The mistakes in it.
+pub fn encode_statement(
+    text: &str,
+    statement: &Statement,
+    scope: &dyn Scope,
+) -> Result<(CommandId, Vec<Item>), Vec<CompileErrorKind>> {
+    let mut encoder = Encoder::new(text, scope);
+    match encoder.statement(statement) {
+        Some(encoded) if encoder.errors.is_empty() => Ok(encoded),
+        _ => Err(encoder.errors.into_iter().map(|(_, kind)| kind).collect()),
+    }
+}
+
 /// How a statement is set off.
 pub(crate) fn separator(separator: ast::Separator) -> Separator {
     match separator {

@@ -3,22 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use acrc_catalog::Model;
+use acrc_catalog::{Model, memory};
 
 use crate::error::ControllerError;
-
-/// Programs that share the program memory of a controller with factory settings.
-const DEFAULT_PROGRAMS: u8 = 8;
-/// Memory that a controller with factory settings gives to its programs, in bytes.
-const DEFAULT_PROGRAM_BYTES: u32 = 512 * 1024;
-/// Bytes of one user parameter, a 64-bit float.
-const USER_PARAMETER_BYTES: u32 = 8;
-/// Most user parameters that exist.
-const USER_PARAMETERS: u32 = 4096;
-/// Bytes of one alias.
-const ALIAS_BYTES: u32 = 48;
-/// Bytes that the alias table costs beside its entries.
-const ALIAS_TABLE_BYTES: u32 = 16;
 
 /// A block of system memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -59,10 +46,9 @@ pub(crate) struct SystemMemory {
 impl SystemMemory {
     /// Factory settings: the programs 0-7 share 512K, nothing else has memory.
     pub(crate) fn new(model: &Model) -> Self {
-        let share = DEFAULT_PROGRAM_BYTES / u32::from(DEFAULT_PROGRAMS);
-        let blocks =
-            (0..DEFAULT_PROGRAMS.min(model.programs)).map(|program| (Block::Program(program), share)).collect();
-        Self { total: model.user_memory.max(DEFAULT_PROGRAM_BYTES), blocks, user: Vec::new() }
+        let programs = 0..memory::FACTORY_PROGRAMS.min(model.programs);
+        let blocks = programs.map(|program| (Block::Program(program), memory::FACTORY_SHARE)).collect();
+        Self { total: model.system_memory(), blocks, user: Vec::new() }
     }
 
     /// `CLEAR` at the system prompt.
@@ -76,14 +62,15 @@ impl SystemMemory {
         if let Some(bytes) = self.size(block) {
             return Err(ControllerError::Redimensioned { block: block.to_string(), bytes });
         }
-        let limit = if block == Block::Parameters { i64::from(USER_PARAMETERS) } else { i64::from(self.total) };
+        let limit = if block == Block::Parameters { i64::from(memory::USER_PARAMETERS) } else { i64::from(self.total) };
         let size = u32::try_from(size).ok().filter(|size| *size > 0 && i64::from(*size) <= limit);
         let size = size.ok_or(ControllerError::DimensionRange { limit })?;
         let bytes = match block {
-            Block::Parameters => size * USER_PARAMETER_BYTES,
-            Block::Aliases => size.saturating_mul(ALIAS_BYTES).saturating_add(ALIAS_TABLE_BYTES),
-            Block::Program(_) | Block::Plc(_) | Block::Stream(_) => size,
+            Block::Parameters => memory::PARAMETERS.bytes(size.into(), 0),
+            Block::Aliases => memory::ALIASES.bytes(size.into(), 0),
+            Block::Program(_) | Block::Plc(_) | Block::Stream(_) => size.into(),
         };
+        let bytes = u32::try_from(bytes).unwrap_or(u32::MAX);
         let free = self.free();
         if bytes > free {
             return Err(ControllerError::OutOfMemory { needed: bytes, free });

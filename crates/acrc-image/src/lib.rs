@@ -13,6 +13,7 @@
 //! table of that page all come from it.
 
 mod constant;
+mod cost;
 mod debug;
 mod decode;
 pub mod dump;
@@ -31,6 +32,7 @@ mod unit;
 mod verify;
 
 pub use constant::{SINGLE_DIGITS, format_double, format_single, integer, negate, real};
+pub use cost::TextCost;
 pub use debug::{DebugEntry, DebugMap, Location, Span};
 pub use encode::{UnitBuilder, encode};
 pub use error::{EncodeError, ImageError, Problem};

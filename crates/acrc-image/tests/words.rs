@@ -4,8 +4,8 @@ mod common;
 
 use acrc_catalog::command;
 use acrc_image::{
-    EncodeError, ImageError, Instruction, Item, MAX_DEPTH, Mark, Node, Problem, Separator, Unit, UnitBuilder, UnitName,
-    encode,
+    EncodeError, ImageError, Instruction, Item, MAX_DEPTH, Mark, Node, Problem, Separator, TextCost, Unit, UnitBuilder,
+    UnitName, encode,
 };
 use common::instructions;
 use proptest::prelude::*;
@@ -47,8 +47,10 @@ proptest! {
     #[test]
     fn decode_gives_back_what_was_encoded(instructions in instructions()) {
         let unit = encode(UnitName::Program(3), &instructions).expect("generated statements are valid");
-        prop_assert_eq!(without_addresses(unit.decode().expect("encoded units are valid")), instructions);
+        prop_assert_eq!(&without_addresses(unit.decode().expect("encoded units are valid")), &instructions);
         prop_assert_eq!(unit.memory() as usize, 4 * unit.words.len() + unit.strings.len());
+        let cost: TextCost = instructions.iter().map(|statement| TextCost::of(statement.command, &statement.items)).sum();
+        prop_assert_eq!(cost.total(), u64::from(unit.memory()));
     }
 
     #[test]

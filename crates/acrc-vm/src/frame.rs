@@ -1,11 +1,10 @@
 //! How far a program has come.
 
+use acrc_catalog::memory;
+
 use crate::fault::FaultKind;
 use crate::host::Arg;
 use crate::value::Value;
-
-/// Bytes of program memory that each call level takes (guide, "How Much Memory?").
-pub(crate) const CALL_BYTES: u64 = 4;
 
 /// The state of a running program besides its variables.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +73,7 @@ impl Frame {
 
     /// Bytes of program memory that the open calls take.
     pub fn memory(&self) -> u64 {
-        CALL_BYTES * self.calls.len() as u64
+        memory::CALLS.bytes(self.calls.len() as u64, 0)
     }
 
     /// True when a call has to be offered again.

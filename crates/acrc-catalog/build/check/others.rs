@@ -1,4 +1,4 @@
-//! Checks of models and messages.
+//! Checks of models, messages and memory.
 
 use super::Faults;
 use crate::catalogue::rows::Catalogue;
@@ -26,6 +26,26 @@ pub fn check(catalogue: &Catalogue, faults: &mut Faults) {
         let label = format!("message {}", row.name);
         if row.text.is_empty() || row.meaning.is_empty() {
             faults.add(&label, "text and meaning must not be empty");
+        }
+        faults.origin(&label, &row.source, &row.confidence);
+    }
+    memory(catalogue, faults);
+}
+
+fn memory(catalogue: &Catalogue, faults: &mut Faults) {
+    let (factory, costs) = (&catalogue.memory.factory, &catalogue.memory.cost);
+    if factory.programs == 0 || factory.program_bytes % u32::from(factory.programs) != 0 {
+        faults.add("memory", "the factory memory must be shared equally by the programs");
+    }
+    faults.origin("memory", &factory.source, &factory.confidence);
+    faults.unique("constant", costs.iter().map(|row| (row.constant.clone(), format!("memory {}", row.name))));
+    for row in costs {
+        let label = format!("memory {}", row.name);
+        if row.each == 0 && row.character == 0 {
+            faults.add(&label, "a unit must cost something");
+        }
+        if !["sys", "prog", "text"].contains(&row.level.as_str()) {
+            faults.add(&label, format_args!("there is no level {}", row.level));
         }
         faults.origin(&label, &row.source, &row.confidence);
     }

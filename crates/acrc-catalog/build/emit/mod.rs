@@ -2,6 +2,7 @@
 
 mod commands;
 mod expressions;
+mod memory;
 mod numbers;
 mod perfect;
 mod words;
@@ -25,6 +26,7 @@ pub fn files(catalogue: &Catalogue) -> Vec<(&'static str, String)> {
         ("function_ids.rs", expressions::constants(&catalogue.functions)),
         ("message_ids.rs", message_constants(catalogue)),
         ("laws.rs", numbers::laws(catalogue)),
+        ("memory.rs", memory::constants(&catalogue.memory)),
     ]
 }
 

@@ -1,27 +1,12 @@
 //! `DIM` of local variables and the bytes it takes (guide, "How Much Memory?").
 
 use acrc_catalog::OperandClass;
+/// What a `DIM` statement allocates.
+pub(crate) use acrc_catalog::memory::LocalBlock as DimBlock;
 
 use super::{Block, Locals};
 use crate::fault::FaultKind;
 use crate::op::SCRATCH;
-
-/// Memory of an array reference, and of the table of references and of an array besides their elements.
-const REFERENCE_BYTES: u64 = 4;
-
-/// Memory of a string variable besides its characters.
-const STRING_BYTES: u64 = 4;
-
-/// What a `DIM` statement allocates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum DimBlock {
-    /// `DIM LV(count)`, `DIM $V(count, length)`
-    Variables(OperandClass),
-    /// `DIM LA(count)`
-    References(OperandClass),
-    /// `DIM LA0(size)`, `DIM $A0(size, length)`
-    Array(OperandClass),
-}
 
 /// The numbers of a `DIM` statement.
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,26 +34,6 @@ pub struct Dimension {
     pub bytes: u64,
 }
 
-/// Bytes of one number.
-const fn element_bytes(class: OperandClass) -> u64 {
-    match class {
-        OperandClass::Dv | OperandClass::Da => 8,
-        _ => 4,
-    }
-}
-
-/// Bytes of a block.
-const fn block_bytes(block: DimBlock, count: u64, length: u64) -> u64 {
-    match block {
-        DimBlock::Variables(OperandClass::StringV) => count * (STRING_BYTES + length),
-        DimBlock::Variables(class) => count * element_bytes(class),
-        DimBlock::References(_) => count * REFERENCE_BYTES + REFERENCE_BYTES,
-        // A string without characters still counts one, so that memory bounds their number.
-        DimBlock::Array(OperandClass::StringA) => count * if length == 0 { 1 } else { length },
-        DimBlock::Array(class) => count * element_bytes(class) + REFERENCE_BYTES,
-    }
-}
-
 impl Locals {
     /// Executes a `DIM`. `reserved` bytes are in use by calls.
     pub(crate) fn dimension(&mut self, block: DimBlock, sizes: Sizes, reserved: u64) -> Result<(), FaultKind> {
@@ -78,7 +43,7 @@ impl Locals {
         }
         let (count, length) = (sizes.count.unsigned_abs(), sizes.length.unsigned_abs());
         self.check_free(block, i64::from(sizes.array))?;
-        let needed = block_bytes(block, u64::from(count), u64::from(length));
+        let needed = block.bytes(u64::from(count), u64::from(length));
         let free = self.limit.saturating_sub(self.used + reserved);
         if needed > free {
             return Err(FaultKind::OutOfMemory { needed, free });
@@ -158,9 +123,8 @@ impl Locals {
 
 impl Dimension {
     fn new(block: DimBlock, array: Option<u32>, count: u32, length: usize) -> Self {
-        let (DimBlock::Variables(class) | DimBlock::References(class) | DimBlock::Array(class)) = block;
-        let bytes = block_bytes(block, u64::from(count), length as u64);
-        Self { class, array, count, length: length as u32, bytes }
+        let bytes = block.bytes(u64::from(count), length as u64);
+        Self { class: block.class(), array, count, length: length as u32, bytes }
     }
 }
 

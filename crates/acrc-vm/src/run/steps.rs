@@ -290,7 +290,7 @@ pub(super) fn steps<H: Host>(
             }
             Op::Gosub { target } => {
                 let depth = frame.calls.len() + 1;
-                if used + crate::frame::CALL_BYTES * depth as u64 > limit {
+                if used + acrc_catalog::memory::CALLS.bytes(depth as u64, 0) > limit {
                     break Err(FaultKind::GosubTooDeep { depth });
                 }
                 frame.calls.push(pc as u32 + 1);
