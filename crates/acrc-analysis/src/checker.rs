@@ -7,6 +7,7 @@ use acrc_catalog::Model;
 use acrc_diagnostics::Diagnostic;
 use acrc_syntax::Tree;
 
+use crate::memory::{MemorySites, MemoryView};
 use crate::project::LintConfig;
 use crate::{Db, Environment, FileIndex, Machine, Project, Usage, query};
 
@@ -32,6 +33,10 @@ pub struct FileContext<'a> {
     pub usage: &'a Usage,
     /// What few files ask.
     pub questions: Questions<'a>,
+    /// The memory of the project, as far as this file uses it.
+    pub memory: &'a MemoryView,
+    /// Where the file itself gives and clears memory.
+    pub memory_sites: &'a MemorySites,
     /// The controller model.
     pub model: &'static Model,
     /// The project names the model; otherwise it is the default one.

@@ -16,6 +16,7 @@ pub mod facts;
 pub mod index;
 mod input;
 mod machine;
+pub mod memory;
 mod near;
 pub mod parallel;
 pub mod project;

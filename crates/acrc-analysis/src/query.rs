@@ -3,6 +3,7 @@
 //! ```text
 //! text ── parse ─┬─ index ───────────────────────────────┐
 //!                ├─ exports ─ symbols ─ environment ─────┤
+//!                ├─ memory (see [`crate::memory`]) ──────┤
 //!                └─ effects ─ machine, usage ────────────┴─ diagnostics
 //! ```
 //!
@@ -17,6 +18,7 @@ use acrc_syntax::Tree;
 
 use crate::checker::Questions;
 use crate::index::{self, Effects, Exports, FileIndex};
+use crate::memory::{memory_sites, memory_view};
 use crate::usage::SetFlags;
 use crate::{Checker, Db, Environment, FileContext, Machine, Project, SourceFile, Symbols, Usage};
 
@@ -105,6 +107,8 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         machine: machine(db, project),
         usage: usage(db, project),
         questions: Questions::new(db, project),
+        memory: memory_view(db, project, file),
+        memory_sites: memory_sites(db, file),
         model: project.model(db),
         model_is_given: project.config(db).project.model.is_some(),
     });

@@ -113,19 +113,64 @@ fn a_comment_in_the_setup_checks_the_setup_only() {
     assert_eq!(count(&computed, "symbols"), 0);
 }
 
+<<<<<<< HEAD
 #[test]
 fn the_first_use_of_an_alias_checks_the_file_that_defines_it() {
     let mut bench = Bench::new();
     let computed = bench.edit(2, &SECOND.replace("Y20", "Y20 : SET Clamp"));
+=======
+const MEMORY: &str = "SYS\nCLEAR\nDIM PROG0(1000)\nDIM PROG1(1000)\nDIM P(10)\nDIM DEF(5)\n";
+
+/// A bench whose setup gives memory.
+fn with_memory() -> Bench {
+    let mut bench = Bench::new();
+    bench.edit(0, &format!("{MEMORY}{SETUP}"));
+    bench
+}
+
+#[test]
+fn a_program_with_room_enough_is_not_counted_and_concerns_nobody() {
+    let mut bench = with_memory();
+    let computed = bench.edit(1, "PROGRAM\nSET Clamp\nX10 : X2\nENDP\n");
+    for query in ["text_bytes", "project_memory", "memory_view"] {
+        assert_eq!(count(&computed, query), 0, "{query}: {computed:?}");
+    }
+    assert_eq!(count(&computed, "diagnostics"), 1);
+}
+
+#[test]
+fn a_program_that_grows_out_of_its_memory_checks_the_setup_too() {
+    let mut bench = with_memory();
+    let long = "SET 32\n".repeat(200);
+    let computed = bench.edit(1, &format!("PROGRAM\nSET Clamp\nX10\n{long}ENDP\n"));
+    assert_eq!(count(&computed, "text_bytes"), 1, "the other program has room enough: {computed:?}");
+    assert_eq!(count(&computed, "diagnostics"), 2, "the program and the setup: {computed:?}");
+}
+
+#[test]
+fn another_size_checks_only_whom_it_concerns() {
+    let mut bench = with_memory();
+    let computed = bench.edit(0, &format!("{}{SETUP}", MEMORY.replace("PROG1(1000)", "PROG1(2000)")));
+    assert_eq!(count(&computed, "project_memory"), 1);
+    assert_eq!(count(&computed, "diagnostics"), 1, "everything fits as before: {computed:?}");
+    let computed = bench.edit(0, &format!("{}{SETUP}", MEMORY.replace("PROG1(1000)", "PROG1(10)")));
+>>>>>>> 16b49fd (Play the memory of a project through and check it: rules ACR401 to ACR413)
     assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
 }
 
 #[test]
+<<<<<<< HEAD
 fn another_number_checks_its_own_file_only() {
     let mut bench = Bench::new();
     let computed = bench.edit(1, &FIRST.replace("X10", "X10 : P5 = P12290"));
     assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
     assert_eq!(count(&computed, "symbols"), 0);
+=======
+fn a_dim_of_variables_checks_the_program_that_it_belongs_to() {
+    let mut bench = with_memory();
+    let computed = bench.edit(0, &format!("{MEMORY}{SETUP}PROG1\nDIM LV(4)\n"));
+    assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
+>>>>>>> 16b49fd (Play the memory of a project through and check it: rules ACR401 to ACR413)
 }
 
 #[test]

@@ -71,10 +71,14 @@ impl TextCost {
                 self.add_node(right);
             }
             Node::Call { arguments: nodes, .. } | Node::Tuple(nodes) => {
-                nodes.iter().for_each(|node| self.add_node(node));
+                for node in nodes {
+                    self.add_node(node);
+                }
             }
             Node::Axis { value, .. } | Node::Object { value, .. } => {
-                value.iter().for_each(|value| self.add_node(value));
+                if let Some(value) = value {
+                    self.add_node(value);
+                }
             }
             Node::Long(_)
             | Node::Single(_)

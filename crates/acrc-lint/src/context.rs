@@ -1,9 +1,11 @@
 //! What a rule sees while the pass goes over a file.
 
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
+use acrc_analysis::memory::{MemorySites, MemoryView};
 use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, Questions, SectionIndex, Usage};
-use acrc_catalog::{Confidence, Model};
+use acrc_catalog::{Confidence, Model, OperandClass};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
 use acrc_syntax::units::Level;
@@ -19,6 +21,8 @@ pub(crate) struct Context<'a> {
     motions: OnceCell<Vec<Motion>>,
     /// Levels whose missing attachments were reported.
     pub(crate) reported_levels: Vec<Level>,
+    /// Variables without memory that were reported, as rules of the memory name them.
+    pub(crate) reported_variables: BTreeSet<(Level, OperandClass, Option<u64>)>,
 }
 
 impl<'a> Context<'a> {
@@ -30,6 +34,7 @@ impl<'a> Context<'a> {
             found: Vec::new(),
             motions: OnceCell::new(),
             reported_levels: Vec::new(),
+            reported_variables: BTreeSet::new(),
         }
     }
 
@@ -73,6 +78,16 @@ impl<'a> Context<'a> {
     /// The motion in the stored programs of the file.
     pub(crate) fn motions(&self) -> &[Motion] {
         self.motions.get_or_init(|| motions::collect(self.file))
+    }
+
+    /// The memory of the project, as far as the file uses it.
+    pub(crate) fn memory(&self) -> &'a MemoryView {
+        self.file.memory
+    }
+
+    /// Where the file itself gives and clears memory.
+    pub(crate) fn memory_sites(&self) -> &'a MemorySites {
+        self.file.memory_sites
     }
 
     pub(crate) fn model(&self) -> &'static Model {

@@ -1,7 +1,7 @@
 //! The list of all rules, and the way from a code or name to its page.
 
 use crate::rule::{Rule, RuleDoc};
-use crate::rules::{arguments, compile, flow, motion, names, parameters, syntax};
+use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, syntax};
 
 /// Every rule, in the order of the codes.
 pub(crate) const RULES: &[&Rule] = &[
@@ -69,6 +69,19 @@ pub(crate) const RULES: &[&Rule] = &[
     &parameters::wizard_number::RULE,
     &parameters::never_set_flag::RULE,
     &parameters::contradictory_bit_test::RULE,
+    &memory::program_too_large::RULE,
+    &memory::redimensioned_block::RULE,
+    &memory::index_outside_dim::RULE,
+    &memory::index_may_leave_dim::RULE,
+    &memory::undimensioned_variable::RULE,
+    &memory::undimensioned_parameters::RULE,
+    &memory::too_many_aliases::RULE,
+    &memory::system_memory_exceeded::RULE,
+    &memory::string_too_long::RULE,
+    &memory::dim_without_clear::RULE,
+    &memory::oversized_dim::RULE,
+    &memory::array_reference_count::RULE,
+    &memory::dim_in_wrong_level::RULE,
     &motion::slave_before_master::RULE,
     &motion::master_in_two_programs::RULE,
     &motion::second_master::RULE,

@@ -3,6 +3,7 @@
 pub(crate) mod arguments;
 pub(crate) mod compile;
 pub(crate) mod flow;
+pub(crate) mod memory;
 pub(crate) mod motion;
 pub(crate) mod names;
 pub(crate) mod parameters;
