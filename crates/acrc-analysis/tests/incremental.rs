@@ -113,12 +113,21 @@ fn a_comment_in_the_setup_checks_the_setup_only() {
     assert_eq!(count(&computed, "symbols"), 0);
 }
 
-<<<<<<< HEAD
 #[test]
 fn the_first_use_of_an_alias_checks_the_file_that_defines_it() {
     let mut bench = Bench::new();
     let computed = bench.edit(2, &SECOND.replace("Y20", "Y20 : SET Clamp"));
-=======
+    assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
+}
+
+#[test]
+fn another_number_checks_its_own_file_only() {
+    let mut bench = Bench::new();
+    let computed = bench.edit(1, &FIRST.replace("X10", "X10 : P5 = P12290"));
+    assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
+    assert_eq!(count(&computed, "symbols"), 0);
+}
+
 const MEMORY: &str = "SYS\nCLEAR\nDIM PROG0(1000)\nDIM PROG1(1000)\nDIM P(10)\nDIM DEF(5)\n";
 
 /// A bench whose setup gives memory.
@@ -154,23 +163,14 @@ fn another_size_checks_only_whom_it_concerns() {
     assert_eq!(count(&computed, "project_memory"), 1);
     assert_eq!(count(&computed, "diagnostics"), 1, "everything fits as before: {computed:?}");
     let computed = bench.edit(0, &format!("{}{SETUP}", MEMORY.replace("PROG1(1000)", "PROG1(10)")));
->>>>>>> 16b49fd (Play the memory of a project through and check it: rules ACR401 to ACR413)
     assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
 }
 
 #[test]
-<<<<<<< HEAD
-fn another_number_checks_its_own_file_only() {
-    let mut bench = Bench::new();
-    let computed = bench.edit(1, &FIRST.replace("X10", "X10 : P5 = P12290"));
-    assert_eq!(count(&computed, "diagnostics"), 1, "{computed:?}");
-    assert_eq!(count(&computed, "symbols"), 0);
-=======
 fn a_dim_of_variables_checks_the_program_that_it_belongs_to() {
     let mut bench = with_memory();
     let computed = bench.edit(0, &format!("{MEMORY}{SETUP}PROG1\nDIM LV(4)\n"));
     assert_eq!(count(&computed, "diagnostics"), 2, "the setup and program 1: {computed:?}");
->>>>>>> 16b49fd (Play the memory of a project through and check it: rules ACR401 to ACR413)
 }
 
 #[test]

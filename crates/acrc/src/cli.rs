@@ -41,6 +41,8 @@ pub(crate) enum Command {
     Build(BuildArguments),
     /// Print the programs of an image as the controller lists them
     List(ListArguments),
+    /// Show what programs and variables take of the memory, and what does not fit
+    Mem(MemArguments),
     /// Run a project in virtual time and say what the machine does
     Sim(SimArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
@@ -113,6 +115,35 @@ pub(crate) struct ListArguments {
     /// Show line numbers
     #[arg(short = 'n', long)]
     pub(crate) line_numbers: bool,
+}
+
+/// `acrc mem`
+#[derive(Args, Debug)]
+#[command(after_help = "A controller shares its memory out twice. The setup gives a part of the system\n\
+                        memory to each program, to the user parameters and to the aliases:\n  \
+                        DIM PROG0(8192)   DIM P(100)   DIM DEF(20)\n\
+                        A program shares its part between its text, its variables (DIM LV(4)) and its\n\
+                        subroutine calls. What does not fit is not stored, or stops the program.\n\n\
+                        Texts are counted as they are stored, to the byte. A size that a program\n\
+                        computes is shown as ?, and what the program needs as \"at least\".\n\n\
+                        Exit status: 0 everything fits, 1 something does not or the project has errors,\n\
+                        2 could not run.")]
+pub(crate) struct MemArguments {
+    /// The project
+    #[arg(default_value = ".")]
+    pub(crate) project: PathBuf,
+    /// How the account is shown
+    #[arg(long, value_enum, default_value_t = MemFormat::Text)]
+    pub(crate) format: MemFormat,
+}
+
+/// Forms of the account of memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MemFormat {
+    /// Bars and numbers
+    Text,
+    /// One JSON object
+    Json,
 }
 
 /// `acrc sim`

@@ -4,6 +4,7 @@ mod build;
 mod explain;
 mod lint;
 mod list;
+mod mem;
 mod project;
 mod sim;
 
@@ -16,6 +17,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Lint(lint) => lint::run(lint, arguments.color),
         Command::Build(build) => build::run(build, arguments.color),
         Command::List(list) => list::run(list),
+        Command::Mem(mem) => mem::run(mem, arguments.color),
         Command::Sim(sim) => sim::run(sim, arguments.color),
         Command::Explain(explain) => explain::run(explain),
     }
