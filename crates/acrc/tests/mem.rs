@@ -110,7 +110,8 @@ fn the_exact_statements_are_exact() {
     bench.file("test.8K", setup("DIM PROG0(9000)\nDIM P(50)\nDIM DEF(9)\n") + program);
     let account = bench.account("test.8K", 0);
     let exact = account["exact"].as_array().expect("a list");
-    let dims: String = exact.iter().map(|dim| format!("{}\n", dim["statement"].as_str().expect("a text"))).collect();
+    let statements = exact.iter().map(|dim| dim["statement"].as_str().expect("a text"));
+    let dims: String = statements.flat_map(|statement| [statement, "\n"]).collect();
     assert!(dims.ends_with("DIM P(8)\nDIM DEF(1)\n"), "{dims}");
     bench.file("test.8K", setup(&dims) + program);
     let account = bench.account("test.8K", 0);
