@@ -11,7 +11,7 @@ pub(crate) fn tables(rows: &mut Rows) {
     let cells: Vec<_> = rows
         .rows
         .iter()
-        .map(|row| row.table.map(|(table, stop)| Cell { key: Some((table, row.indent)), width: rows.width(row, stop) }))
+        .map(|row| row.table.map(|(table, stop)| Cell { key: (table, row.indent), width: rows.width(row, stop) }))
         .collect();
     let table_pad = |row: &mut Row, pad| {
         if let Some((_, stop)) = &mut row.table {
@@ -25,7 +25,7 @@ pub(crate) fn tables(rows: &mut Rows) {
 pub(crate) fn remarks(rows: &mut Rows) {
     let cell = |row: &Row| {
         let before = row.table.map_or(0, |(_, stop)| stop.pad);
-        row.remark.map(|stop| Cell { key: None::<()>, width: rows.width(row, stop) + before })
+        row.remark.map(|stop| Cell { key: (), width: rows.width(row, stop) + before })
     };
     let cells: Vec<_> = rows.rows.iter().map(cell).collect();
     let remark_pad = |row: &mut Row, pad| {
@@ -39,14 +39,13 @@ pub(crate) fn remarks(rows: &mut Rows) {
 /// A line that may stand in a column.
 struct Cell<K> {
     /// Lines with different keys share no column.
-    key: Option<K>,
+    key: K,
     /// Characters before the column.
     width: usize,
 }
 
 /// Cuts the rows into runs that share a column, and widens each to the widest of its run.
 fn pad<K: PartialEq>(rows: &mut [Row], cells: &[Option<Cell<K>>], set: impl Fn(&mut Row, usize)) {
-    let mut rest = rows.iter_mut().zip(cells);
     let mut run: Vec<(&mut Row, usize)> = Vec::new();
     let mut limits = (0, 0);
     let mut key = None;
@@ -55,13 +54,14 @@ fn pad<K: PartialEq>(rows: &mut [Row], cells: &[Option<Cell<K>>], set: impl Fn(&
             set(row, widest - width);
         }
     };
-    for (row, cell) in rest.by_ref() {
+    for (row, cell) in rows.iter_mut().zip(cells) {
         let Some(cell) = cell else {
             finish(&mut run, limits.1);
+            key = None;
             continue;
         };
         let wider = (limits.0.min(cell.width), limits.1.max(cell.width));
-        if run.is_empty() || key != Some(&cell.key) || wider.1 - wider.0 > MAX_SPREAD {
+        if row.blank_before || key != Some(&cell.key) || wider.1 - wider.0 > MAX_SPREAD {
             finish(&mut run, limits.1);
             limits = (cell.width, cell.width);
             key = Some(&cell.key);

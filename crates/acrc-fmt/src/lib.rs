@@ -1,11 +1,11 @@
 //! Formatter of `AcroBASIC` programs.
 //!
-//! [`format`] lays a text out as the controller's `LIST` does (guide, "IF/ELSE" for the indentation, "Remarks" and
+//! [`format()`] lays a text out as the controller's `LIST` does (guide, "IF/ELSE" for the indentation, "Remarks" and
 //! "Command Syntax" for the blanks), and puts tables and remarks into columns, which a listing has not.
 //! [`renumber()`] gives the lines of numbered programs new numbers, and the jumps to them too.
 //!
 //! ```
-//! let text = "if (bit 24)\nset34:x10 y/-5:rem out\nendif";
+//! let text = "if (bit 24)\nset34:X10 Y/-5:rem out\nendif";
 //! let formatted = acrc_fmt::format(text, &acrc_fmt::Options::default());
 //! assert_eq!(formatted.text, "IF (BIT24)\n    SET 34 : X10 Y/-5 : REM out\n    ENDIF\n");
 //! ```
@@ -53,13 +53,13 @@ pub fn format(text: &str, options: &Options) -> Formatted {
 pub fn format_tree(text: &str, tree: &Tree, options: &Options) -> Formatted {
     let states = lines::states(text, tree);
     let mut rows = render::rows(text, tree, &states, *options);
+    blank::separate(&mut rows);
     if options.align_tables {
         align::tables(&mut rows);
     }
     if options.align_remarks {
         align::remarks(&mut rows);
     }
-    blank::separate(&mut rows);
     let unreadable = (1..).zip(&states).filter(|(_, state)| **state == lines::State::Unreadable);
     Formatted {
         text: rows.join(line_end::dominant(tree, text)),

@@ -17,7 +17,7 @@ fn programs(page: &str) -> Vec<(&str, String)> {
                 open = true;
             }
             Some(_) => open = false,
-            None if open => programs.iter_mut().last().expect("a fence before").1.push_str(&format!("{line}\n")),
+            None if open => programs.iter_mut().last().expect("a fence before").1.extend([line, "\n"]),
             None => {}
         }
     }

@@ -3,7 +3,7 @@
 mod support;
 
 use proptest::prelude::*;
-use support::pieces::{programs, short_lines, soup};
+use support::pieces::{layouts, programs, short_lines, soup};
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
@@ -15,6 +15,11 @@ proptest! {
 
     #[test]
     fn any_lines_keep_their_tokens(text in short_lines()) {
+        support::checked(&text);
+    }
+
+    #[test]
+    fn any_layout_is_laid_out_once(text in layouts()) {
         support::checked(&text);
     }
 
@@ -44,5 +49,50 @@ fn programs_of_the_guide_keep_their_tokens() {
 fn examples_keep_their_tokens() {
     for (_, text) in support::examples() {
         support::checked(&text);
+    }
+}
+
+/// What may stand around the name of a command, with a blank wherever one may stand.
+const FORMS: [&str; 32] = [
+    "$",
+    "$ 5",
+    "$ - 5 5",
+    "$ ( 1 )",
+    "$ ( 1 , 2 )",
+    "$ X",
+    "$ X 5",
+    "$ X - 5 Y / 5 Z ( P 0 )",
+    "$ X ( 1 , 2 ) SINE Y 1e3",
+    "$ A 1 B 2 = 3",
+    "$ Name",
+    "$ Name 1",
+    "$ Name = 1",
+    "$ P 0",
+    "$ P 0 ( 1 , 2 )",
+    "$ LA 0 ( 1 ) 5",
+    "$ $V 0",
+    "$ ENC 0",
+    "$ AXIS 0 5",
+    "$ AXIS 0 / - 5 ENC 2",
+    "$ STREAM 2 5",
+    "$ COM 1",
+    "$ \"a\" AS # 1",
+    "$ - BIT 5",
+    "$ BIT ( 5 ) X 5",
+    "$ ALL",
+    "$ NONE 2 DACSTEP 2",
+    "AXIS 0 $ 5",
+    "ENC 0 $ X 5",
+    "$ $ 5",
+    "X 5 $ 5 REM $",
+    "20 $ X . 5 ' $",
+];
+
+#[test]
+fn every_command_keeps_its_arguments() {
+    for form in FORMS {
+        let form = form.replace("$V", "\u{1}").replace('$', "\u{2}").replace('\u{1}', "$V");
+        let lines = acrc_catalog::all_commands().map(|command| form.replace('\u{2}', command.name));
+        support::checked_once(&lines.collect::<Vec<_>>().join("\n"));
     }
 }

@@ -165,7 +165,7 @@ fn columns_are_left_out_when_asked_for() {
 fn subroutines_are_set_apart() {
     insta::assert_snapshot!(standard(
         "\n\n\nPROGRAM\n\n\n\nGOSUB A\nEND\n_A\nSET 1\nRETURN : REM done\nREM opens the gripper\n'and waits\n_B\nSET 2\n\
-         IF (BIT 2) THEN RETURN\n_C\nSET 3\nRETURN\n\n\nREM of the label below\n_D\nRETURN\nREM of the routine above\n\n_E\nRETURN\nENDP\n\n\n"
+         IF (BIT 2) THEN RETURN\n_C\nSET 3\nRETURN\n\n\nREM of the label below\n_D\nRETURN\nREM of the routine above\n\n_E : REM on the line of a label\nRETURN : REM done\n_LongName : REM on the line of a label\n_E2\nRETURN\nENDP\n\n\n"
     ));
 }
 

@@ -56,6 +56,11 @@ pub(crate) fn checked(text: &str) -> String {
     format(text, &Options::default()).text
 }
 
+/// The same with the standard options only.
+pub(crate) fn checked_once(text: &str) {
+    check(text, &Facts::of(text), Options::default());
+}
+
 fn check(text: &str, facts: &Facts, options: Options) {
     let options = &options;
     let first = format(text, options);

@@ -5,7 +5,7 @@ use std::ops::Range;
 use proptest::prelude::*;
 
 /// Pieces of programs: together they reach every part of the reader, in every wrong order.
-const PIECES: [&str; 124] = [
+const PIECES: [&str; 128] = [
     "X",
     "Y",
     "x",
@@ -98,6 +98,10 @@ const PIECES: [&str; 124] = [
     "WHILE(1)",
     "WEND",
     "RETURN",
+    "RETURN:REM a\n",
+    "\n_Label : REM b\n",
+    "DIM P(1)\n",
+    "#DEFINE Name P1\n",
     "END",
     "PRINT",
     "?",
@@ -233,8 +237,19 @@ const STATEMENTS: [&str; 44] = [
 pub(crate) fn programs() -> impl Strategy<Value = String> {
     let blank = prop::sample::select(vec!["", " ", " ", " ", "  ", "\t"]);
     let statement = (prop::sample::select(STATEMENTS.as_slice()), prop::collection::vec(blank, 24), any::<bool>());
-    let separator =
-        prop::sample::select(vec!["\n", "\n", "\n", "\r\n", "\n\n\n", ":", " : ", " ", "\n10 ", "\n_Loop1\n"]);
+    let separator = prop::sample::select(vec![
+        "\n",
+        "\n",
+        "\n",
+        "\r\n",
+        "\n\n\n",
+        ":",
+        " : ",
+        " ",
+        "\n10 ",
+        "\n_Loop1\n",
+        "\nRETURN : REM done\n_Loop1 : REM more\n",
+    ]);
     prop::collection::vec((statement, separator), 0..12).prop_map(|statements| {
         let mut text = "#DEFINE Speed P5\n#DEFINE Flag BIT40\nPROG0\nPROGRAM\n_Start\n20 SET 32\n".to_owned();
         for ((statement, blanks, small), separator) in statements {
@@ -251,4 +266,51 @@ pub(crate) fn programs() -> impl Strategy<Value = String> {
         }
         text + "\nENDP\n"
     })
+}
+
+/// Lines on which the layout of their neighbours depends.
+const LINES: [&str; 36] = [
+    "",
+    "",
+    "   \t",
+    "\u{A0}",
+    "' comment",
+    "REM remark",
+    "  ' acrc: fmt off",
+    "REM acrc: fmt on",
+    "_A",
+    "_LongLabel : REM remark",
+    "RETURN",
+    "RETURN : REM remark",
+    "END",
+    "IF (P0) THEN RETURN",
+    "10 RETURN",
+    "20 _Label",
+    "30",
+    "PROGRAM",
+    "ENDP",
+    "PROG1",
+    "IF (P0)",
+    "IF (P0) : REM remark",
+    "ELSE",
+    "ENDIF",
+    "ENDIF : REM remark",
+    "FOR LV0 = 0 TO 1 : NEXT",
+    "WHILE (P0)",
+    "WEND ' late",
+    "SET 32 : NEXT",
+    "X5 \u{A0}: REM remark",
+    "X5 REM remark",
+    "PRINT \"a text of many characters, so that it has no column\" : REM far",
+    "#DEFINE A P0",
+    "#DEFINE LongName P1 : REM remark",
+    "DIM LV(1) : REM remark",
+    "DIM PROG10(1)   : SET 32",
+];
+
+/// Lines in any order, which all can be read.
+pub(crate) fn layouts() -> impl Strategy<Value = String> {
+    let end = prop::sample::select(vec!["\n", "\n", "\n", "\r\n", "\r"]);
+    prop::collection::vec((prop::sample::select(LINES.as_slice()), end), 0..40)
+        .prop_map(|lines| lines.into_iter().flat_map(|(line, end)| [line, end]).collect())
 }
