@@ -1,5 +1,5 @@
-//! What statements do to the machine, as far as something else in a project depends on it: a move depends on a velocity,
-//! a velocity on nothing. One table for commands, one for flags, one for parameters.
+//! What statements do to the machine, as far as something else in a project depends on it: a move depends on a
+//! velocity, a velocity on nothing. One table for commands, one for flags, one for parameters.
 
 use std::sync::LazyLock;
 
@@ -71,6 +71,11 @@ impl Deed {
     /// Whether it makes an axis move.
     pub fn is_motion(self) -> bool {
         Self::MOTION.contains(&self)
+    }
+
+    /// Whether it is done to the master of a program, or to a program, and not to an axis.
+    pub(crate) fn is_of_program(self) -> bool {
+        OF_MASTERS.contains(&self) || matches!(self, Self::Run | Self::Boot)
     }
 }
 

@@ -17,6 +17,9 @@ fn setup() -> String {
         let number = u32::from(letter) - u32::from('A');
         let _ = writeln!(text, "#DEFINE Clamp{letter} BIT{}\n#DEFINE Count{letter} P{number}", 32 + number);
     }
+    for axis in 0..8 {
+        let _ = writeln!(text, "AXIS{axis} PPU 1000");
+    }
     for program in 0..8 {
         let _ = writeln!(text, "PROG{program}\nATTACH MASTER{program}\nATTACH SLAVE0 AXIS{program} \"X\"");
         let _ = writeln!(text, "ACC 100 DEC 100 STP 100 VEL 25");
@@ -26,14 +29,16 @@ fn setup() -> String {
 
 /// A program of about `FILE_BYTES` bytes with the mixture of statements that machine programs have.
 fn program(number: usize) -> String {
-    let mut text = format!("PROG{}\nPROGRAM\nGOSUB Step0\nEND\n", number % 8);
+    let level = number % 8;
+    let in_motion = 516 + 32 * level;
+    let mut text = format!("PROG{level}\nPROGRAM\nGOSUB Step0\nEND\n");
     let mut step = 0;
     while text.len() < FILE_BYTES {
         let letter = char::from(b'A' + (step % 26) as u8);
         let (output, input, value, counter, next) = (40 + step % 24, step % 24, step % 100, step % 50, step + 1);
         let _ = write!(
             text,
-            "REM --- station {step} ---\n_Step{step}\nX/{step}.5 : REM to the station\nINH -516\nSET Clamp{letter}\n\
+            "REM --- station {step} ---\n_Step{step}\nX/{step}.5 : REM to the station\nINH -{in_motion}\nSET Clamp{letter}\n\
              DWL 0.25\nCLR Clamp{letter} : SET {output}\nCount{letter} = Count{letter} + 1\n\
              IF (Count{letter} > 100) THEN PRINT \"station {step} is full\" : GOTO Full{step}\n\
              IF ((BIT {input} AND NOT BIT 5) OR P{value} <= 1.5)\n    P{value} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    \

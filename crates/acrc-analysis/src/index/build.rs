@@ -159,8 +159,8 @@ impl<'a> Builder<'a> {
             }
             command::ATTACH_MASTER => AttachmentKind::Master { master: object(ObjectKind::Master) },
             command::ATTACH_AXIS => {
-                let is_stepper = |argument: &Argument| matches!(argument, Argument::Object(object) if object.kind == ObjectKind::Stepper);
-                AttachmentKind::Axis { axis, stepper: command.arguments.iter().any(is_stepper) }
+                let stepper = command.arguments.iter().any(is_stepper);
+                AttachmentKind::Axis { axis, stepper }
             }
             command::DETACH => AttachmentKind::Detach { slot, axis },
             command::DETACH_ALL => AttachmentKind::DetachAll,
@@ -206,6 +206,10 @@ fn jump(statement: u32, command: &Command) -> Option<Jump> {
         Argument::Target(target) => Some(Jump { statement, target: *target, to: None, call }),
         _ => None,
     })
+}
+
+fn is_stepper(argument: &Argument) -> bool {
+    matches!(argument, Argument::Object(object) if object.kind == ObjectKind::Stepper)
 }
 
 /// A string argument with its quotes, and without.

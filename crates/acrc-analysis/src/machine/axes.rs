@@ -8,7 +8,8 @@ pub struct AxisSet {
 }
 
 impl AxisSet {
-    /// Adds an axis. One beyond those of any controller is a mistake that is reported elsewhere; it leaves the set open.
+    /// Adds an axis. One beyond those of any controller is a mistake that is reported elsewhere; it leaves the set
+    /// open.
     pub fn add(&mut self, axis: u32) {
         match 1_u64.checked_shl(axis) {
             Some(bit) => self.known |= bit,

@@ -95,38 +95,41 @@ impl Machine {
     }
 
     fn add_use(&mut self, file: u32, symbols: &Symbols, used: &Use) {
-        let Use { deed, level, stored, on } = used;
-        match (deed, on) {
-            // Master and program: what the level implies, or an object.
-            (Deed::Velocity | Deed::Acceleration | Deed::StopRamp | Deed::Run | Deed::Boot, on) => match on {
-                On::Level => self.level_deeds.push((*deed, *level)),
-                On::Object(kind @ (ObjectKind::Master | ObjectKind::Prog | ObjectKind::Plc), Some(number)) => {
-                    self.add_to_numbered(*deed, *kind, *number);
-                }
-                On::Object(..) | On::Axis(_) | On::Word(_) => self.open(*deed),
-            },
-            (_, on) => {
-                let axis = match axis_of(symbols, *level, on) {
-                    Axis::Number(axis) => Some(axis),
-                    Axis::Any => None,
-                    Axis::None => return,
-                };
-                if let Some(axis) = axis
-                    && *stored
-                    && deed.is_motion()
-                    && !self.first.iter().any(|(of, other, _)| (of, *other) == (deed, axis))
-                {
-                    self.first.push((*deed, axis, file));
-                }
-                if *deed == Deed::Move && *stored && self.first_file_moving(*level).is_none() {
-                    self.first_moves.push((*level, file));
-                }
-                self.add_to_axis(*deed, axis);
-                // Enabling a drive clears the kill requests (guide, "Kill All Motion Request").
-                if *deed == Deed::DriveOn && *stored {
-                    self.add_to_axis(Deed::KillCleared, axis);
-                }
+        let Use { deed, level, on, .. } = used;
+        if !deed.is_of_program() {
+            match axis_of(symbols, *level, on) {
+                Axis::Number(axis) => self.add_to_axis_by(file, used, Some(axis)),
+                Axis::Any => self.add_to_axis_by(file, used, None),
+                Axis::None => {}
             }
+            return;
+        }
+        match on {
+            On::Level => self.level_deeds.push((*deed, *level)),
+            On::Object(kind @ (ObjectKind::Master | ObjectKind::Prog | ObjectKind::Plc), Some(number)) => {
+                self.add_to_numbered(*deed, *kind, *number);
+            }
+            On::Object(..) | On::Axis(_) | On::Word(_) => self.open(*deed),
+        }
+    }
+
+    fn add_to_axis_by(&mut self, file: u32, used: &Use, axis: Option<u32>) {
+        let Use { deed, level, stored, .. } = *used;
+        self.add_to_axis(deed, axis);
+        if !stored {
+            return;
+        }
+        if let Some(axis) = axis.filter(|_| deed.is_motion())
+            && self.first_file_with(&[deed], axis).is_none()
+        {
+            self.first.push((deed, axis, file));
+        }
+        if deed == Deed::Move && self.first_file_moving(level).is_none() {
+            self.first_moves.push((level, file));
+        }
+        // Enabling a drive clears the kill requests (guide, "Kill All Motion Request").
+        if deed == Deed::DriveOn {
+            self.add_to_axis(Deed::KillCleared, axis);
         }
     }
 
@@ -142,10 +145,8 @@ impl Machine {
     /// The object of a flag or parameter: its kind follows from what is done.
     fn add_to_object(&mut self, deed: Deed, object: u32) {
         match deed {
-            Deed::Velocity | Deed::Acceleration | Deed::StopRamp => {
-                self.add_to_numbered(deed, ObjectKind::Master, object);
-            }
             Deed::Run => self.add_to_numbered(deed, ObjectKind::Prog, object),
+            _ if deed.is_of_program() => self.add_to_numbered(deed, ObjectKind::Master, object),
             _ => self.add_to_axis(deed, Some(object)),
         }
     }

@@ -26,8 +26,8 @@ pub struct Machine {
     pub axes: Vec<(u32, Level)>,
     /// Some attachment does not say its number, so that there may be more.
     pub open: bool,
-    /// The project shows how its controller is set up: it attaches masters and axes, and says what an axis is. What such
-    /// a project does nowhere is probably done nowhere.
+    /// The project shows how its controller is set up: it attaches masters and axes, and says what an axis is. What
+    /// such a project does nowhere is probably done nowhere.
     pub complete: bool,
     /// The programs whose text the project holds, sorted.
     pub programs: Vec<Level>,

@@ -17,10 +17,13 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "The last move before the program ends, or before it waits for the master to stand still, is made with \
-               STP 0. Only stretches without jumps, blocks and labels from the STP 0 to the end of the motion are judged.",
+               STP 0. Only stretches without jumps, blocks and labels from the STP 0 to the end of the motion are \
+               judged.",
         why: "With a stop ramp of zero a move ends at full speed, for the next one to go on. When nothing follows, the \
-              velocity drops to zero at once: the load takes a blow, and the axis may be killed by its following error.",
-        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nACC 100 VEL 25\nSTP 0\nX10\nX20\nINH -516\nENDP",
+              velocity drops to zero at once: the load takes a blow, and the axis may be killed by its following \
+              error.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nACC 100 VEL 25\nSTP 0\nX10\nX20\nINH -516\n\
+              ENDP",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nACC 100 VEL 25\nSTP 0\nX10\nSTP 100\nX20\n\
                INH -516\nENDP",
         guide: "Making Motion / What are Motion Profiles?",

@@ -14,12 +14,15 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "An INH directly behind a jog or a homing waits for the in-motion flag of the master to go off, in a program \
-               without any coordinated move.",
-        why: "A jog is no move of the master: its flag (516 + 32 * master, for the first eight) stays off, and the program \
-              goes on while the axis is still jogging. Each axis has a flag of its own for that, 792 + 32 * axis.",
-        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG ABS X10\nINH -516\nSET 32\nENDP",
-        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG ABS X10\nINH -792\nSET 32\nENDP",
+        what: "An INH directly behind a jog or a homing waits for the in-motion flag of the master to go off, in a \
+               program without any coordinated move.",
+        why: "A jog is no move of the master: its flag (516 + 32 * master, for the first eight) stays off, and the \
+              program goes on while the axis is still jogging. Each axis has a flag of its own for that, 792 + 32 * \
+              axis.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG ABS X10\nINH -516\nSET 32\n\
+              ENDP",
+        good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG ABS X10\nINH -792\nSET 32\n\
+               ENDP",
         guide: "Making Motion / Jog Profiler",
     },
     checks: &[Check::Statement(check)],

@@ -17,8 +17,8 @@ pub(crate) static RULE: Rule = Rule {
                flag (8465 + 32 * axis). Only projects that enable drives are judged; where the setup hands the drive's \
                signals to the controller and no drive at all is enabled, it is advice, as a host or an operator may do \
                it. Axes with step outputs are left out.",
-        why: "The profile runs while the motor has no power: the following error grows until the axis is killed, and the \
-              program waits for a motion that never happens.",
+        why: "The profile runs while the motor has no power: the following error grows until the axis is killed, and \
+              the program waits for a motion that never happens.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nVEL 5\n\
               PROGRAM\nDRIVE ON X\nX10 Y10\nENDP",
         good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nVEL 5\n\

@@ -15,8 +15,8 @@ pub(crate) static RULE: Rule = Rule {
         enabled: true,
         what: "The band of the following error (EXC) of an axis that programs move is set, and nothing in the project \
                switches on the response to it (flag 8469 + 32 * axis).",
-        why: "EXC by itself only changes a flag (769 + 32 * axis). An axis that is blocked, or has lost its encoder, goes \
-              on pushing unless a program watches that flag or the response kills the motion.",
+        why: "EXC by itself only changes a flag (769 + 32 * axis). An axis that is blocked, or has lost its encoder, \
+              goes on pushing unless a program watches that flag or the response kills the motion.",
         bad: "AXIS0 PPU 1000\nAXIS0 EXC (0.5,-0.5)\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 25\nPROGRAM\n\
               X10\nENDP",
         good: "AXIS0 PPU 1000\nAXIS0 EXC (0.5,-0.5)\nSET BIT8469\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n\

@@ -13,12 +13,14 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program switches the gear of an axis on, and nothing in the project says what it follows, with GEAR SRC.",
-        why: "The gear follows its source, and without one there is nothing to follow: the axis stays where it is, or goes \
-              after a source that was set long ago.",
-        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nGEAR RATIO X2\nGEAR ON X\nENDP",
-        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nGEAR SRC X ENC4\nGEAR RATIO X2\n\
-               GEAR ON X\nENDP",
+        what: "A program switches the gear of an axis on, and nothing in the project says what it follows, with GEAR \
+               SRC.",
+        why: "The gear follows its source, and without one there is nothing to follow: the axis stays where it is, or \
+              goes after a source that was set long ago.",
+        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nGEAR RATIO X2\nGEAR ON X\n\
+              ENDP",
+        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nGEAR SRC X ENC4\nGEAR RATIO \
+               X2\nGEAR ON X\nENDP",
         guide: "Making Motion / Gear Profiler",
     },
     checks: &[Check::File(check)],

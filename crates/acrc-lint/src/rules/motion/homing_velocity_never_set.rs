@@ -13,12 +13,12 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program homes an axis whose backup to home is switched on (flag 16152 + 32 * axis), and nothing in the \
-               project sets the velocity of the last approach, JOG HOMVF.",
+        what: "A program homes an axis whose backup to home is switched on (flag 16152 + 32 * axis), and nothing in \
+               the project sets the velocity of the last approach, JOG HOMVF.",
         why: "With backup the axis stops behind the switch and comes back to its edge at JOG HOMVF, whatever the \
               controller holds for it: too fast and the position is not repeatable, zero and homing never ends.",
-        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nSET 16152\n\
-              JOG HOME X1\nENDP",
+        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nSET 16152\nJOG \
+              HOME X1\nENDP",
         good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOMVF X0.1\n\
                SET 16152\nJOG HOME X1\nENDP",
         guide: "Making Motion / Homing",

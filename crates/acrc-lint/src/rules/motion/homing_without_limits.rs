@@ -17,9 +17,10 @@ pub(crate) static RULE: Rule = Rule {
                enable flags (16148 and 16149, + 32 * axis). They are off by default.",
         why: "Homing turns round at a limit and looks for the switch on the other side. Without limits an axis that \
               starts beyond its switch, or whose switch is broken, runs into the end of its travel.",
-        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\nENDP",
-        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3\nPROGRAM\nJOG VEL X5\n\
-               JOG HOME X-1\nENDP",
+        bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\n\
+              ENDP",
+        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3\nPROGRAM\nJOG VEL X5\nJOG \
+               HOME X-1\nENDP",
         guide: "Making Motion / Homing",
     },
     checks: &[Check::File(check)],

@@ -13,12 +13,13 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program jogs or homes an axis, and nothing in the project sets its jog velocity: neither JOG VEL nor its \
-               parameter (12348 + 256 * axis).",
-        why: "Jogging and homing do not use VEL. The axis runs at whatever jog velocity the controller holds: with zero it \
-              stays where it is, and a program that waits for the end of homing waits for ever.",
+        what: "A program jogs or homes an axis, and nothing in the project sets its jog velocity: neither JOG VEL nor \
+               its parameter (12348 + 256 * axis).",
+        why: "Jogging and homing do not use VEL. The axis runs at whatever jog velocity the controller holds: with \
+              zero it stays where it is, and a program that waits for the end of homing waits for ever.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nVEL 10\nJOG INC X5\nENDP",
-        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X10\nJOG INC X5\nENDP",
+        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X10\nJOG INC X5\n\
+               ENDP",
         guide: "Making Motion / Jog Profiler",
     },
     checks: &[Check::File(check)],
@@ -41,8 +42,8 @@ mod tests {
 
     fn found(program: &str) -> Vec<String> {
         let text = format!(
-            "#DEFINE SpeedY P12604\nAXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \
-             \"Y\"\nPROGRAM\n{program}\nENDP\n"
+            "#DEFINE SpeedY P12604\nAXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH \
+             SLAVE1 AXIS1 \"Y\"\nPROGRAM\n{program}\nENDP\n"
         );
         spans_of("ACR507", &text).into_iter().map(str::to_owned).collect()
     }

@@ -13,9 +13,9 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
-        what: "An axis that programs move has hardware limits, or the response to an excess of following error, switched \
-               on; and nothing in the project clears its kill request (8467 + 32 * axis), in words or by a DRIVE ON in a \
-               program.",
+        what: "An axis that programs move has hardware limits, or the response to an excess of following error, \
+               switched on; and nothing in the project clears its kill request (8467 + 32 * axis), in words or by a \
+               DRIVE ON in a program.",
         why: "A limit sets the kill request of the axis and of all axes of its master. Every motion is refused until \
               somebody clears it, and then Kill All Moves of the master: without a program that does so the machine \
               stands until a person at a terminal sends Ctrl-Y.",
@@ -42,8 +42,8 @@ fn check(context: &mut Context<'_>) {
             let flag = acrc_catalog::bit_number("kill_all_motion_request", motion.axis);
             let flag = flag.map(|flag| format!(" (CLR {flag})")).unwrap_or_default();
             context.report(RULE.at(motion.span, message).with_help(format!(
-                "where the program recovers from a stop, clear the kill request of the axis{flag}, then Kill All Moves of \
-                 its master"
+                "where the program recovers from a stop, clear the kill request of the axis{flag}, then Kill All Moves \
+                 of its master"
             )));
         }
     }
@@ -55,8 +55,8 @@ mod tests {
 
     fn found(setup: &str, program: &str) -> Vec<String> {
         let text = format!(
-            "#DEFINE KillX BIT8467\nAXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \
-             \"Y\"\n{setup}\nPROGRAM\nX10 Y10\n{program}\nENDP\n"
+            "#DEFINE KillX BIT8467\nAXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH \
+             SLAVE1 AXIS1 \"Y\"\n{setup}\nPROGRAM\nX10 Y10\n{program}\nENDP\n"
         );
         spans_of("ACR511", &text).into_iter().map(str::to_owned).collect()
     }

@@ -14,10 +14,10 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "An HLBIT takes the last or the last but one input of a block of 32, so that the three inputs of the axis \
-               (positive limit, negative limit, home) do not lie in one block.",
-        why: "The controller does not go on in the next block: the inputs behind the end of the block are imaginary and \
-              read 0. The axis passes that limit or that home switch as if it were not there.",
+        what: "An HLBIT takes the last or the last but one input of a block of 32, so that the three inputs of the \
+               axis (positive limit, negative limit, home) do not lie in one block.",
+        why: "The controller does not go on in the next block: the inputs behind the end of the block are imaginary \
+              and read 0. The axis passes that limit or that home switch as if it were not there.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLBIT X31",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLBIT X24",
         guide: "System Configuration / Dedicated I/O",

@@ -14,8 +14,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Error,
         enabled: true,
         what: "An ATTACH MASTER takes a master that another program holds, with no DETACH in between.",
-        why: "A master computes the path of one program. The controller refuses to share it, so that the second program \
-              has no master and none of its moves is executed.",
+        why: "A master computes the path of one program. The controller refuses to share it, so that the second \
+              program has no master and none of its moves is executed.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER0\nATTACH SLAVE0 AXIS1 \"Y\"",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Y\"",
         guide: "System Configuration / Attachments",

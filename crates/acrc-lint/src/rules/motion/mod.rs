@@ -1,5 +1,5 @@
-//! Attachments of masters and slaves, settings without which motion goes wrong, limits (guide, "System Configuration" and
-//! "Making Motion").
+//! Attachments of masters and slaves, settings without which motion goes wrong, limits, waits for the end of motion
+//! (guide, "System Configuration" and "Making Motion").
 //!
 //! Rules that say "nothing in the project does it" speak only in projects that show how their controller is set up, and
 //! at one place: the first motion of the axis, or of the program, in the first file that has some.

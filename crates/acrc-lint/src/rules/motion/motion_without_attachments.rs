@@ -13,8 +13,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program jogs, homes or gears an axis by its number, and no program of the project attaches that axis to \
-               a master.",
+        what: "A program jogs, homes or gears an axis by its number, and no program of the project attaches that axis \
+               to a master.",
         why: "All profilers take the configuration of an axis from its attachments to a master: without them nothing \
               moves, even if no coordinated move is wanted.",
         bad: "ATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL AXIS1 5\n\

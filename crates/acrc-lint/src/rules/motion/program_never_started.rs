@@ -13,8 +13,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: false,
-        what: "A program neither begins with PBOOT nor is started anywhere in the project, by RUN, LRUN or its run request \
-               flag. A host or an operator often starts programs, so the rule is off until it is selected.",
+        what: "A program neither begins with PBOOT nor is started anywhere in the project, by RUN, LRUN or its run \
+               request flag. A host or an operator often starts programs, so the rule is off until it is selected.",
         why: "After power-up the program stands still, and what it should watch goes on unwatched.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nPROGRAM\nINH 5\nSET 32\nENDP",
         good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nPROGRAM\nPBOOT\nINH 5\nSET 32\n\

@@ -14,9 +14,11 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Advice,
         enabled: true,
         what: "A program moves an axis, and nothing in the project sets its pulses per unit, PPU.",
-        why: "Targets, velocities and accelerations count in units. Without a scale of its own an axis counts in whatever \
-              the controller holds, from the factory in pulses of its encoder: a move of 10 mm becomes one of 10 pulses.",
-        bad: "ATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 25\nPROGRAM\nX10\nENDP",
+        why: "Targets, velocities and accelerations count in units. Without a scale of its own an axis counts in \
+              whatever the controller holds, from the factory in pulses of its encoder: a move of 10 mm becomes one of \
+              10 pulses.",
+        bad: "ATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 25\nPROGRAM\nX10\n\
+              ENDP",
         good: "ATTACH AXIS0 ENC0 DAC0 ENC0\nAXIS0 PPU 4000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 25\n\
                PROGRAM\nX10\nENDP",
         guide: "Making Motion / Velocity Profile Commands",

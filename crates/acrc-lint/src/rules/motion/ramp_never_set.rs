@@ -13,13 +13,13 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
-        what: "A program has coordinated moves, and nothing in the project sets the acceleration (ACC) or the stop ramp \
-               (STP) of its master.",
+        what: "A program has coordinated moves, and nothing in the project sets the acceleration (ACC) or the stop \
+               ramp (STP) of its master.",
         why: "The moves use whatever the controller holds. Zero switches a ramp off: the velocity jumps, and the load \
               takes a blow at each start or stop.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 25\nPROGRAM\nX10\nENDP",
-        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nACC 100 DEC 100 STP 100 VEL 25\nPROGRAM\n\
-               X10\nENDP",
+        good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nACC 100 DEC 100 STP 100 VEL 25\n\
+               PROGRAM\nX10\nENDP",
         guide: "Making Motion / What are Motion Profiles?",
     },
     checks: &[Check::File(check)],
@@ -47,7 +47,8 @@ mod tests {
 
     fn text(setup: &str) -> String {
         format!(
-            "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 5\n{setup}\nPROGRAM\nX10\nX20\nENDP\n"
+            "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 5\n{setup}\nPROGRAM\nX10\n\
+             X20\nENDP\n"
         )
     }
 

@@ -15,8 +15,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A pair of limits gives the negative side first, or one value for both sides that is negative. The positive \
-               side comes first: `SLM X(24,0)`; a single value stands for plus and minus that value.",
+        what: "A pair of limits gives the negative side first, or one value for both sides that is negative. The \
+               positive side comes first: `SLM X(24,0)`; a single value stands for plus and minus that value.",
         why: "No position and no error lies between such limits. The axis counts as beyond both of them, and stops or \
               never gets into position, wherever it is.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nSLM X(0,24)",

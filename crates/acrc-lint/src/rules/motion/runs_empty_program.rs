@@ -17,8 +17,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "A RUN or LRUN names a program for which the project holds no text.",
-        why: "Nothing runs, or what somebody left in the controller does. A number that is one off starts the wrong half \
-              of a machine.",
+        why: "Nothing runs, or what somebody left in the controller does. A number that is one off starts the wrong \
+              half of a machine.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nSET 32\nENDP\nRUN PROG1",
         good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nSET 32\nENDP\nRUN PROG0",
         guide: "Programming Basics / Programs and Commands",

@@ -14,8 +14,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Error,
         enabled: true,
         what: "A program attaches a master while it holds another one, with no DETACH in between.",
-        why: "A program has one master. The second is refused, and the slaves behind it go to the first: axes that were \
-              meant to move apart share one path.",
+        why: "A program has one master. The second is refused, and the slaves behind it go to the first: axes that \
+              were meant to move apart share one path.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH MASTER1\nATTACH SLAVE1 AXIS1 \"Y\"",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Y\"",
         guide: "System Configuration / Attachments",

@@ -13,10 +13,10 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Error,
         enabled: true,
-        what: "An ATTACH SLAVE stands where its program has no master yet. A project that attaches no master at all is not \
-               judged: it may find them on its controller.",
-        why: "A slave is a place of the program's master. Without the master the controller refuses the attachment, the \
-              axis has no name in the program, and all its moves are refused too.",
+        what: "An ATTACH SLAVE stands where its program has no master yet. A project that attaches no master at all is \
+               not judged: it may find them on its controller.",
+        why: "A slave is a place of the program's master. Without the master the controller refuses the attachment, \
+              the axis has no name in the program, and all its moves are refused too.",
         bad: "PROG0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH MASTER0",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"",
         guide: "System Configuration / Attachments",

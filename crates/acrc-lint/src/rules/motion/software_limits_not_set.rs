@@ -13,8 +13,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "The software limits of an axis that programs move are switched on (SLIM, or flags 16150 and 16151, + 32 * \
-               axis), and nothing in the project says where they are.",
+        what: "The software limits of an axis that programs move are switched on (SLIM, or flags 16150 and 16151, + 32 \
+               * axis), and nothing in the project says where they are.",
         why: "The limits act at whatever positions the controller holds. If both are zero, the first move crosses one, \
               which stops the master and all its axes.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nVEL 5\nSLIM X3\nPROGRAM\nX10\nENDP",

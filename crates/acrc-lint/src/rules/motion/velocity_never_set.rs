@@ -13,10 +13,10 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program has coordinated moves, and nothing in the project sets the velocity of its master: neither VEL \
-               nor F.",
-        why: "The moves run at whatever velocity the controller holds. With zero the motor does not move and the program \
-              waits for ever; with a value that somebody saved long ago it moves as nobody expects.",
+        what: "A program has coordinated moves, and nothing in the project sets the velocity of its master: neither \
+               VEL nor F.",
+        why: "The moves run at whatever velocity the controller holds. With zero the motor does not move and the \
+              program waits for ever; with a value that somebody saved long ago it moves as nobody expects.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nACC 100 STP 100\nPROGRAM\nX10\nENDP",
         good: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nACC 100 STP 100 VEL 25\nPROGRAM\nX10\n\
                ENDP",

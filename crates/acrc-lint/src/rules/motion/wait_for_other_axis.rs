@@ -17,8 +17,8 @@ pub(crate) static RULE: Rule = Rule {
         what: "An INH directly behind a jog or a homing waits for a jog or home flag of an axis that the program never \
                moves.",
         why: "The flags of an axis are 32 numbers apart from those of the next one, and they stay when a machine is \
-              rewired. The program waits for an axis that stands still: for ever, or not at all, so that it goes on while \
-              its own axis is still on its way.",
+              rewired. The program waits for an axis that stands still: for ever, or not at all, so that it goes on \
+              while its own axis is still on its way.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\nINH 16166\nENDP",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nJOG VEL X5\nJOG HOME X-1\nINH 16134\nENDP",
         guide: "Making Motion / Homing",
@@ -47,7 +47,8 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
     });
 }
 
-/// The axis of the nearest jog, when all axes that are jogged directly before the wait are known, and none is waited for.
+/// The axis of the nearest jog, when all axes that are jogged directly before the wait are known, and none of them is
+/// waited for.
 fn jogged_before(context: &Context<'_>) -> Option<u32> {
     let mut jogged = Vec::new();
     let mut awaited = Vec::new();

@@ -1,8 +1,9 @@
 //! `ACR524`: a wait for the end of a move that watches another master.
 
 use acrc_analysis::{Deed, walk};
+use acrc_catalog::command;
 use acrc_diagnostics::{Code, Severity};
-use acrc_syntax::ast::{Argument, ExprKind, Statement, StatementKind};
+use acrc_syntax::ast::{ExprKind, Statement, StatementKind};
 
 use super::straight;
 use crate::rule::{Check, Group, Rule, RuleDoc};
@@ -14,13 +15,14 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "An INH directly behind a move of the program waits for the in-motion flag of another master: one without \
-               axes, or one of another program while this program looks at its own flag nowhere.",
+        what: "An INH directly behind a move of the program waits for the in-motion flag of another master: one \
+               without axes, or one of another program while this program nowhere looks whether its own motion is \
+               over.",
         why: "Each master has its own flag (516 + 32 * master, for the first eight). The flag of a master that stands \
-              still is off, so the program does not wait at all: what should happen at the end of the move happens at its \
-              start.",
-        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\nPROGRAM\n\
-              Z10\nINH -516\nSET 32\nENDP",
+              still is off, so the program does not wait at all: what should happen at the end of the move happens at \
+              its start.",
+        bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\n\
+              PROGRAM\nZ10\nINH -516\nSET 32\nENDP",
         good: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS1 \"Z\"\n\
                PROGRAM\nZ10\nINH -548\nSET 32\nENDP",
         guide: "Programming Basics / Program Flow",
@@ -38,7 +40,7 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
     };
     let (Some(master), Some(own)) = (flag.object_index, straight::only_master(context)) else { return };
     let Some(right) = acrc_catalog::bit_number(IN_MOTION, own) else { return };
-    if master == own || !follows_move(context, right) || (has_axes(context, master) && looks_at(context, right)) {
+    if master == own || !follows_move(context) || (has_axes(context, master) && looks_at_itself(context, right)) {
         return;
     }
     let number = flag.number;
@@ -48,17 +50,11 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
         .report(RULE.at(bit.span, message).with_help(format!("the moves of {program} are in motion at flag {right}")));
 }
 
-/// Whether a move stands directly before the wait, and no wait for its own master between.
-fn follows_move(context: &Context<'_>, right: u32) -> bool {
-    for statement in straight::before(context) {
-        if straight::awaited_by(context, statement).is_some_and(|flag| flag.number == right) {
-            return false;
-        }
-        if straight::deeds(context, statement).iter().any(|(deed, _)| *deed == Deed::Move) {
-            return true;
-        }
-    }
-    false
+/// Whether a move stands directly before the wait, and no other wait between.
+fn follows_move(context: &Context<'_>) -> bool {
+    let waits = |statement: &Statement| matches!(&statement.kind, StatementKind::Command(c) if c.id == command::INH);
+    let moves = |statement: &Statement| straight::deeds(context, statement).iter().any(|(deed, _)| *deed == Deed::Move);
+    straight::before(context).into_iter().take_while(|statement| !waits(statement)).any(moves)
 }
 
 /// Whether a master may move something.
@@ -68,17 +64,20 @@ fn has_axes(context: &Context<'_>, master: u32) -> bool {
     levels.any(|level| machine.axes.iter().any(|(_, of)| *of == level))
 }
 
-/// Whether the present program looks at a flag somewhere: then it may well wait for other masters besides.
-fn looks_at(context: &Context<'_>, flag: u32) -> bool {
-    let Some(section) = context.section() else { return false };
+/// Whether the present program looks somewhere whether its own motion is over: then it may well wait for other masters
+/// besides.
+fn looks_at_itself(context: &Context<'_>, in_motion: u32) -> bool {
+    let (Some(section), level) = (context.section(), context.level()) else { return false };
+    let axes = context.machine().axes.iter().filter(|(_, of)| *of == level);
+    let in_position = axes.filter_map(|(axis, _)| acrc_catalog::bit_number("not_in_position", *axis));
+    let flags: Vec<u32> = in_position.chain([in_motion]).collect();
+    let is_own =
+        |kind: &ExprKind| matches!(kind, ExprKind::Integer(n) if flags.iter().any(|flag| u64::from(*flag) == *n));
+
     let range = section.section.statements.start as usize..section.section.statements.end as usize;
-    let is_flag = |kind: &ExprKind| matches!(kind, ExprKind::Integer(number) if *number == u64::from(flag));
     context.tree().statements().get(range).unwrap_or_default().iter().any(|statement| {
-        let mut found = straight::awaited_by(context, statement).is_some_and(|awaited| awaited.number == flag);
-        walk::expressions(statement, &mut |expr| found |= is_flag(&expr.kind));
-        if let StatementKind::Command(command) = &statement.kind {
-            found |= command.arguments.iter().any(|a| matches!(a, Argument::Bit(bit) if is_flag(&bit.index.kind)));
-        }
+        let mut found = straight::awaited_by(context, statement).is_some_and(|flag| flags.contains(&flag.number));
+        walk::expressions(statement, &mut |expr| found |= is_own(&expr.kind));
         found
     })
 }
@@ -118,6 +117,8 @@ mod tests {
             "IF (BIT 1) THEN Z10\nINH -516",
             "JOG INC Z5\nINH -516",
             "Z10\nINH -516\nIF (BIT 548) THEN SET 32",
+            "Z10\nINH -516\nINH -800",
+            "Z10\nINH 5\nINH -516",
         ] {
             assert_eq!(found(program), [""; 0], "{program}");
         }
