@@ -49,7 +49,7 @@ pub enum Deed {
     ErrorResponse,
     /// Clears the kill of all motion of an axis.
     KillCleared,
-    /// Velocity of a master.
+    /// Velocity of a master, other than zero.
     Velocity,
     /// Acceleration of a master.
     Acceleration,
@@ -112,8 +112,8 @@ const COMMANDS: &[(CommandId, Deed, Says)] = &[
     (command::SLM, Deed::SoftLimits, Says::Value),
     (command::SLIM, Deed::SoftLimitsOn, Says::NonZero),
     (command::EXC, Deed::ErrorBand, Says::Value),
-    (command::VEL, Deed::Velocity, Says::Value),
-    (command::F, Deed::Velocity, Says::Value),
+    (command::VEL, Deed::Velocity, Says::NonZero),
+    (command::F, Deed::Velocity, Says::NonZero),
     (command::ACC, Deed::Acceleration, Says::Value),
     (command::STP, Deed::StopRamp, Says::Value),
     (command::RUN, Deed::Run, Says::Nothing),
