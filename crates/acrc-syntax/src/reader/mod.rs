@@ -19,7 +19,7 @@ mod repair;
 mod statement;
 mod typography;
 
-use acrc_diagnostics::{Diagnostic, Edit, Fix, Severity, Span};
+use acrc_diagnostics::{Applicability, Diagnostic, Edit, Fix, Severity, Span};
 use expression::Work;
 use failure::{Failure, Read};
 
@@ -119,7 +119,7 @@ impl<'t> Reader<'t> {
                 TokenKind::Comment => {
                     comment = Some(token.span);
                     if self.statements.len() as u32 > first {
-                        self.report_late_comment(token);
+                        self.report_late_comment(token, first);
                     }
                     self.bump();
                 }
@@ -237,13 +237,23 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn report_late_comment(&mut self, token: Token) {
+    fn report_late_comment(&mut self, token: Token, line_start: u32) {
         let text = self.slice(token.span);
         let mark = text.chars().next().map_or(0, char::len_utf8);
         let place = Span::new(token.span.start, token.span.start + mark as u32);
         let is_spaced = text.get(mark..).is_none_or(|rest| rest.is_empty() || rest.starts_with([' ', '\t']));
-        let word = if is_spaced { ": REM" } else { ": REM " };
-        let fix = Fix::safe("make it a remark", vec![Edit::replace(place, word)]);
+        let on_this_line = self.statements.get(line_start as usize..).unwrap_or_default();
+        let gap = on_this_line.last().map_or("", |last| self.slice(Span::new(last.span.end, token.span.start)));
+        let colon = if gap.contains(':') { "" } else { ": " };
+        let word = format!("{colon}REM{}", if is_spaced { "" } else { " " });
+        // On the line of a label the guide forbids a remark, and behind PROGRAM it becomes a line of the program.
+        let is_bold = on_this_line.iter().any(|statement| match &statement.kind {
+            StatementKind::Label(_) => true,
+            StatementKind::Command(command) => command.id == acrc_catalog::command::PROGRAM,
+            _ => false,
+        });
+        let applicability = if is_bold { Applicability::Unsafe } else { Applicability::Safe };
+        let fix = Fix::new(applicability, "make it a remark", vec![Edit::replace(place, word)]);
         self.report(
             Diagnostic::warning(
                 codes::COMMENT_AFTER_STATEMENT,
