@@ -21,6 +21,8 @@ pub struct FileContext<'a> {
     pub lint: &'a LintConfig,
     /// The text.
     pub text: &'a str,
+    /// What was found while decoding it.
+    pub encoding: &'a [Diagnostic],
     /// Its tree.
     pub tree: &'a Tree,
     /// Its sections, labels and jumps.

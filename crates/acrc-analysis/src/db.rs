@@ -3,6 +3,7 @@
 //! This crate is the only one that knows salsa. Other crates get facts through functions, and have their own work
 //! remembered by passing a [`crate::Checker`].
 
+use acrc_syntax::SourceText;
 use salsa::{EventKind, Setter};
 
 use crate::SourceFile;
@@ -39,6 +40,17 @@ impl Database {
     /// Replaces the text of a file. What depends on it is computed anew at the next question.
     pub fn edit(&mut self, file: SourceFile, text: String) {
         file.set_text(self).to(text);
+    }
+
+    /// Replaces a file by what was read from disk. Nothing is computed anew when it is as before.
+    pub fn replace(&mut self, file: SourceFile, source: &SourceText) {
+        if file.text(self) != source.text {
+            file.set_text(self).to(source.text.clone());
+        }
+        let encoding = source.diagnostics();
+        if *file.encoding(self) != encoding {
+            file.set_encoding(self).to(encoding);
+        }
     }
 
     /// An empty database that tells `observer` about each query that is really computed, not taken from memory, by

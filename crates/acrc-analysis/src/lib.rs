@@ -4,8 +4,8 @@
 //! functions of [`query`] and [`facts`] answer questions, and [`diagnostics`] runs a [`Checker`] on a file and
 //! remembers what it found until something that the file depends on changes.
 //!
-//! **Invariants.** No other crate knows salsa. Nothing here reads a disk except through [`project::Files`]. What one
-//! file sees of another never holds a place in its text.
+//! **Invariants.** No other crate knows salsa. Nothing here reads a disk except through [`project::Files`] and
+//! [`project::search`]. What one file sees of another never holds a place in its text.
 
 mod attachments;
 mod checker;

@@ -101,6 +101,7 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         name: file.name(db),
         lint: &project.config(db).lint,
         text: file.text(db),
+        encoding: file.encoding(db),
         tree: parse(db, file),
         index: file_index(db, file),
         environment: environment(db, project, file),
@@ -112,7 +113,6 @@ pub fn diagnostics(db: &dyn Db, project: Project, file: SourceFile, checker: Che
         model: project.model(db),
         model_is_given: project.config(db).project.model.is_some(),
     });
-    found.extend_from_slice(file.encoding(db));
     found.sort_by(|a, b| {
         let place = (a.span.start, a.span.end).cmp(&(b.span.start, b.span.end));
         place.then(b.severity.cmp(&a.severity)).then(a.code.cmp(&b.code)).then_with(|| a.message.cmp(&b.message))

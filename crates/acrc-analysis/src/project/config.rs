@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use acrc_diagnostics::Severity;
 use acrc_syntax::units::Level;
 use camino::Utf8PathBuf;
 use serde::Deserialize;
+
+use super::{FileGlob, LintConfig};
 
 /// The file name of a project description.
 pub const CONFIG_NAME: &str = "acrc.toml";
@@ -20,6 +21,8 @@ pub struct Config {
     pub sim: SimConfig,
     /// How it is checked.
     pub lint: LintConfig,
+    /// How its files are formatted.
+    pub fmt: FmtConfig,
 }
 
 /// `[project]`
@@ -46,41 +49,44 @@ pub struct SimConfig {
     pub until: Option<SimTime>,
 }
 
-/// `[lint]`
+/// `[fmt]`. What is absent is as the formatter has it by itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
-pub struct LintConfig {
-    /// The least severity that makes `acrc lint` fail; warnings when absent.
-    pub fail_on: Option<FailOn>,
-    /// The rules that are on, by code, prefix of a code, name or group, or `ALL`; those that are on by themselves when
-    /// absent.
-    pub select: Option<Vec<String>>,
+pub struct FmtConfig {
+    /// The case of the words of the language.
+    pub keyword_case: Option<KeywordCase>,
+    /// Blanks by which a block is indented.
+    pub indent: Option<u8>,
+    /// Where the statement stands that closes a block.
+    pub block_ends: Option<BlockEnds>,
+    /// Remarks behind statements stand in columns.
+    pub align_remarks: Option<bool>,
+    /// Tables of `#DEFINE` and `DIM` stand in columns.
+    pub align_tables: Option<bool>,
+    /// Files that are left alone.
+    pub exclude: Vec<FileGlob>,
 }
 
-/// From which severity on a check counts as failed.
+/// The case of the words of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum FailOn {
-    /// Errors only.
-    Error,
-    /// Errors and warnings.
-    Warning,
-    /// Every finding.
-    Advice,
-    /// Nothing.
-    Never,
+pub enum KeywordCase {
+    /// `SET 32`
+    Upper,
+    /// `set 32`
+    Lower,
+    /// As written.
+    Keep,
 }
 
-impl FailOn {
-    /// Whether a finding of this severity makes the check fail.
-    pub fn fails(self, severity: Severity) -> bool {
-        match self {
-            Self::Error => severity >= Severity::Error,
-            Self::Warning => severity >= Severity::Warning,
-            Self::Advice => true,
-            Self::Never => false,
-        }
-    }
+/// Where the statement stands that closes a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlockEnds {
+    /// Indented as the body.
+    Body,
+    /// Below the statement that opens the block.
+    Opener,
 }
 
 /// A program to start: `PROG0` .. `PROG15`, `PLC0` .. `PLC7`.

@@ -77,7 +77,7 @@ pub(super) fn with_roles(paths: Vec<Utf8PathBuf>) -> Result<Vec<(FileRole, Utf8P
     Ok(files)
 }
 
-fn programs(files: &dyn Files, directory: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
+pub(super) fn programs(files: &dyn Files, directory: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
     let names = files.list(directory).map_err(|source| super::io_error(directory, source))?;
     let is_program = |path: &Utf8PathBuf| {
         path.extension().is_some_and(is_program_extension) && !matches!(files.kind(path), Ok(FileKind::Directory))

@@ -8,16 +8,26 @@ mod config;
 mod discover;
 mod error;
 mod files;
+mod glob;
+mod lint_config;
+mod overlay;
+mod search;
 
 use acrc_catalog::Model;
 use acrc_compile::{CompileError, SourceUnit};
 use acrc_image::Image;
-use acrc_syntax::SourceText;
+use acrc_syntax::{SourceText, Tree};
 use camino::{Utf8Path, Utf8PathBuf};
 
-pub use config::{CONFIG_NAME, Config, FailOn, LintConfig, ProjectConfig, RunTarget, SimConfig, SimTime};
+pub use config::{
+    BlockEnds, CONFIG_NAME, Config, FmtConfig, KeywordCase, ProjectConfig, RunTarget, SimConfig, SimTime,
+};
 pub use error::LoadError;
 pub use files::{Disk, FileKind, Files};
+pub use glob::FileGlob;
+pub use lint_config::{FailOn, FileIgnores, Level as LintLevel, LintConfig, Override, Prepared, Selection};
+pub use overlay::Overlay;
+pub use search::{Search, owner, search};
 
 use crate::{Database, FileRole, Project, SourceFile};
 
@@ -48,6 +58,13 @@ pub struct LoadedFile {
     pub role: FileRole,
     /// Its text.
     pub source: SourceText,
+}
+
+impl LoadedFile {
+    /// Whether the whole text, of which `tree` is the tree, is the text of a program, without `PROGRAM` and `ENDP`.
+    pub fn is_implicit_program(&self, tree: &Tree) -> bool {
+        crate::index::is_implicit_program(self.role, tree)
+    }
 }
 
 /// Loads the project at `path` from disk.
@@ -81,9 +98,10 @@ fn from_config(files: &dyn Files, path: &Utf8Path) -> Result<LoadedProject, Load
     let invalid = |message| LoadError::Config { path: path.to_owned(), message };
     let bytes = read(files, path)?;
     let text = String::from_utf8(bytes).map_err(|error| invalid(error.to_string()))?;
-    let config = config::parse(&text).map_err(invalid)?;
+    let mut config = config::parse(&text).map_err(invalid)?;
 
     let root = path.parent().unwrap_or(Utf8Path::new(""));
+    root.clone_into(&mut config.lint.root);
     let paths = match &config.project.files {
         Some(listed) => discover::listed(files, path, root, listed)?,
         None => discover::beside_config(files, root)?,
@@ -145,7 +163,7 @@ impl LoadedProject {
                 text: &file.source.text,
                 tree,
                 start: file.role.start(),
-                implicit_program: crate::index::is_implicit_program(file.role, tree),
+                implicit_program: file.is_implicit_program(tree),
             })
             .collect();
         acrc_compile::compile(&units, self.model.name)
