@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::hint::black_box;
 
-use acrc_analysis::project::Config;
+use acrc_analysis::project::{Config, FileGlob, LintLevel, Override};
 use acrc_analysis::{Database, FileRole, Project, SourceFile};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -57,12 +57,29 @@ fn generate() -> Vec<(String, String)> {
     std::iter::once(("Setup.8K".to_owned(), setup())).chain(programs).collect()
 }
 
-fn load(db: &Database, files: &[(String, String)]) -> (Project, Vec<SourceFile>) {
+/// Choices of rules that every file must be compared with.
+fn choices() -> Config {
+    let mut config = Config::default();
+    let glob = |pattern: &str| FileGlob::new(pattern).expect("a pattern");
+    for digit in 0..10 {
+        let selectors = vec!["style".to_owned(), "ACR103".to_owned()];
+        config.lint.per_file_ignores.0.push((glob(&format!("part*{digit}.8K")), selectors));
+    }
+    config.lint.overrides.push(Override {
+        files: vec![glob("part*.8K")],
+        extend_select: vec!["flow".to_owned()],
+        severity: [("ACR101".to_owned(), LintLevel::Warning)].into(),
+        ..Override::default()
+    });
+    config
+}
+
+fn load(db: &Database, files: &[(String, String)], config: Config) -> (Project, Vec<SourceFile>) {
     let inputs: Vec<_> = files
         .iter()
         .map(|(name, text)| SourceFile::new(db, name.clone(), text.clone(), FileRole::of(name), Vec::new()))
         .collect();
-    (Project::new(db, inputs.clone(), acrc_catalog::default_model(), Config::default()), inputs)
+    (Project::new(db, inputs.clone(), acrc_catalog::default_model(), config), inputs)
 }
 
 fn lint(criterion: &mut Criterion) {
@@ -73,22 +90,24 @@ fn lint(criterion: &mut Criterion) {
     group.bench_function("parsing alone", |bencher| {
         bencher.iter(|| files.iter().map(|(_, text)| acrc_syntax::parse(text).statements().len()).sum::<usize>());
     });
-    group.bench_function("cold", |bencher| {
-        bencher.iter_batched_ref(
-            || {
-                let db = Database::new();
-                let (project, _) = load(&db, &files);
-                (db, project)
-            },
-            |(db, project)| black_box(acrc_lint::check(db, *project)),
-            BatchSize::PerIteration,
-        );
-    });
+    for (name, config) in [("cold", Config::default()), ("cold, with choices for files", choices())] {
+        group.bench_function(name, |bencher| {
+            bencher.iter_batched_ref(
+                || {
+                    let db = Database::new();
+                    let (project, _) = load(&db, &files, config.clone());
+                    (db, project)
+                },
+                |(db, project)| black_box(acrc_lint::check(db, *project)),
+                BatchSize::PerIteration,
+            );
+        });
+    }
     group.bench_function("cold, all processors", |bencher| {
         bencher.iter_batched_ref(
             || {
                 let db = Database::new();
-                let (project, _) = load(&db, &files);
+                let (project, _) = load(&db, &files, Config::default());
                 (db, project)
             },
             |(db, project)| black_box(acrc_lint::check_in_parallel(db, *project)),
@@ -98,7 +117,7 @@ fn lint(criterion: &mut Criterion) {
     group.finish();
 
     let mut db = Database::new();
-    let (project, inputs) = load(&db, &files);
+    let (project, inputs) = load(&db, &files, Config::default());
     let findings: usize = acrc_lint::check(&db, project).iter().map(|(_, found)| found.len()).sum();
     assert_eq!(findings, 0, "the generated project is clean");
     let mut group = criterion.benchmark_group("edit");

@@ -41,6 +41,13 @@ impl Consequences {
         let before = after.checked_sub(1).and_then(|index| self.spans.get(index));
         before.is_some_and(|span| finding.span.end <= span.end)
     }
+
+    /// Whether rules may have been silenced in a part of the text.
+    pub(crate) fn touch(&self, part: Span) -> bool {
+        let after = self.spans.partition_point(|span| span.start < part.end);
+        let before = after.checked_sub(1).and_then(|index| self.spans.get(index));
+        before.is_some_and(|span| part.start < span.end)
+    }
 }
 
 /// The statement that an error of the parser is about, with the one before it when what follows that is the error.

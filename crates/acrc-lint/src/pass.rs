@@ -1,48 +1,18 @@
 //! The one pass over a file: each rule says where it wants to be asked, and each place is visited once.
 
-use std::sync::LazyLock;
-
-use acrc_analysis::{FileContext, SectionIndex, walk};
+use acrc_analysis::{FileContext, walk};
 use acrc_diagnostics::Diagnostic;
-use acrc_syntax::ast::{Expr, Statement};
 
 use crate::Context;
 use crate::consequences::Consequences;
-use crate::references::{self, Reference};
-use crate::registry::RULES;
-use crate::rule::{Check, On};
-use crate::settings::Settings;
+use crate::references;
+use crate::rule::On;
+use crate::{settings, suppress};
 
-type CheckExpression = fn(&mut Context<'_>, &Expr);
-
-/// The checks of all rules by the place at which they are asked.
-#[derive(Default)]
-struct Plan {
-    file: Vec<fn(&mut Context<'_>)>,
-    section: Vec<fn(&mut Context<'_>, &SectionIndex)>,
-    statement: Vec<fn(&mut Context<'_>, &Statement)>,
-    /// By [`On`].
-    expression: [Vec<CheckExpression>; On::COUNT],
-    reference: Vec<fn(&mut Context<'_>, &Reference)>,
-}
-
-static PLAN: LazyLock<Plan> = LazyLock::new(|| {
-    let mut plan = Plan::default();
-    for check in RULES.iter().flat_map(|rule| rule.checks) {
-        match *check {
-            Check::File(check) => plan.file.push(check),
-            Check::Section(check) => plan.section.push(check),
-            Check::Statement(check) => plan.statement.push(check),
-            Check::Expression(on, check) => plan.expression[on as usize].push(check),
-            Check::Reference(check) => plan.reference.push(check),
-        }
-    }
-    plan
-});
-
-/// What all rules, and the parser, find in a file.
+/// What the rules that are on, and the parser, find in a file, but for what is suppressed there.
 pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
-    let plan = &*PLAN;
+    let Some(settings) = settings::of_file(file) else { return Vec::new() };
+    let plan = &settings.plan;
     let mut context = Context::new(file);
     for check in &plan.file {
         check(&mut context);
@@ -68,6 +38,9 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
                 check(&mut context, expr);
             }
         });
+        if plan.reference.is_empty() {
+            continue;
+        }
         references::collect(&context, statement, &mut references);
         for reference in &references {
             for check in &plan.reference {
@@ -79,7 +52,11 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
     let mut found = context.into_findings();
     found.retain(|finding| !consequences.hide(finding));
     found.extend_from_slice(file.tree.errors());
-    let settings = Settings::new(file.lint);
+    found.extend_from_slice(file.encoding);
     found.retain(|finding| settings.hear(finding));
+    suppress::apply(file, &settings, &consequences, &mut found);
+    for finding in &mut found {
+        settings.set_severity(finding);
+    }
     found
 }

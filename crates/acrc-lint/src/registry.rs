@@ -2,6 +2,7 @@
 
 use crate::rule::{Rule, RuleDoc};
 use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, syntax};
+use crate::rules::{arguments, compile, flow, motion, names, parameters, suppressions, syntax};
 
 /// Every rule, in the order of the codes.
 pub(crate) const RULES: &[&Rule] = &[
@@ -107,6 +108,8 @@ pub(crate) const RULES: &[&Rule] = &[
     &motion::wait_for_other_axis::RULE,
     &motion::coordinated_wait_for_jog::RULE,
     &motion::jog_stopped_at_once::RULE,
+    &suppressions::unused_suppression::RULE,
+    &suppressions::unknown_suppression::RULE,
 ];
 
 /// The pages of all rules, in the order of the codes.

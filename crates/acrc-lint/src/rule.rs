@@ -52,9 +52,24 @@ pub enum Group {
     Motion,
     /// What works, and could be clearer or cheaper: `ACR6xx`.
     Style,
+    /// Comments that suppress findings: `ACR9xx`.
+    Suppressions,
 }
 
 impl Group {
+    /// All groups, in the order of their codes.
+    pub const ALL: [Self; 9] = [
+        Self::Syntax,
+        Self::Compile,
+        Self::Flow,
+        Self::Names,
+        Self::Parameters,
+        Self::Memory,
+        Self::Motion,
+        Self::Style,
+        Self::Suppressions,
+    ];
+
     /// The word used in lists.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -66,6 +81,7 @@ impl Group {
             Self::Memory => "memory",
             Self::Motion => "motion",
             Self::Style => "style",
+            Self::Suppressions => "suppressions",
         }
     }
 }

@@ -29,18 +29,25 @@ fn lint_with(model: &'static Model, config: Config, files: &[(&str, &str)]) -> V
 
 /// The lines at which one rule, on by itself or not, finds something in each file of a project.
 pub(crate) fn lines_of(code: &str, files: &[(&str, &str)]) -> Vec<Vec<u32>> {
-    let mut config = Config::default();
-    config.lint.select = Some(vec![code.to_owned()]);
-    let found = lint_with(acrc_catalog::default_model(), config, files);
+    let found = only(code, files);
     let line = |text: &str, found: &Diagnostic| LineIndex::new(text).position(found.span.start).line;
     files.iter().zip(found).map(|((_, text), found)| found.iter().map(|found| line(text, found)).collect()).collect()
 }
 
 /// The findings of one rule, on by itself or not, in a single file.
 pub(crate) fn found_by(code: &str, text: &str) -> Vec<Diagnostic> {
+    only(code, &[("test.8K", text)]).concat()
+}
+
+/// The findings of one rule. What the parser refuses is heard too, and left out here.
+fn only(code: &str, files: &[(&str, &str)]) -> Vec<Vec<Diagnostic>> {
     let mut config = Config::default();
     config.lint.select = Some(vec![code.to_owned()]);
-    lint_with(acrc_catalog::default_model(), config, &[("test.8K", text)]).concat()
+    let mut found = lint_with(acrc_catalog::default_model(), config, files);
+    for findings in &mut found {
+        findings.retain(|finding| finding.code.id == code);
+    }
+    found
 }
 
 /// The texts at which one rule, on by itself or not, finds something in a single file.

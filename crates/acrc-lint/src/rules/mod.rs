@@ -7,4 +7,5 @@ pub(crate) mod memory;
 pub(crate) mod motion;
 pub(crate) mod names;
 pub(crate) mod parameters;
+pub(crate) mod suppressions;
 pub(crate) mod syntax;
