@@ -1,8 +1,14 @@
 //! The arguments of the command line.
 
+mod fmt;
+mod lint;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub(crate) use fmt::{FmtArguments, Numbering};
+pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
 #[derive(Debug, Parser)]
@@ -37,6 +43,8 @@ pub(crate) enum ColorChoice {
 pub(crate) enum Command {
     /// Check programs and say what the controller would refuse or do differently
     Lint(LintArguments),
+    /// Format programs
+    Fmt(FmtArguments),
     /// Compile a project into an image
     Build(BuildArguments),
     /// Print the programs of an image as the controller lists them
@@ -47,43 +55,6 @@ pub(crate) enum Command {
     Sim(SimArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
     Explain(ExplainArguments),
-}
-
-/// `acrc lint`
-#[derive(Args, Debug)]
-#[command(after_help = "Exit status: 0 nothing to report at the level of --fail-on, 1 findings, 2 could not run.")]
-pub(crate) struct LintArguments {
-    /// Projects to check
-    #[arg(default_value = ".", value_name = "PROJECT")]
-    pub(crate) paths: Vec<PathBuf>,
-    /// How findings are shown
-    #[arg(long, value_enum, default_value_t = LintFormat::Text)]
-    pub(crate) format: LintFormat,
-    /// The mildest finding that makes the exit status 1 [default: warning, or what acrc.toml says]
-    #[arg(long, value_enum, value_name = "SEVERITY")]
-    pub(crate) fail_on: Option<FailOn>,
-}
-
-/// Forms of lint output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum LintFormat {
-    /// The source with each finding marked
-    Text,
-    /// One line a finding
-    Concise,
-    /// One JSON object
-    Json,
-}
-
-/// Findings that count as failure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FailOn {
-    /// No finding
-    Never,
-    /// Errors and warnings
-    Warning,
-    /// Errors only
-    Error,
 }
 
 /// `acrc build`

@@ -41,8 +41,13 @@ pub(crate) fn report(result: anyhow::Result<Exit>, terminal: Terminal) -> Exit {
     if error.chain().any(broken_pipe) {
         return Exit::Clean;
     }
+    say(&error, terminal);
+    Exit::Failure
+}
+
+/// Says what went wrong on standard error.
+pub(crate) fn say(error: &anyhow::Error, terminal: Terminal) {
     let mut stderr = io::stderr().lock();
     // Nothing is left to tell it to when standard error is gone too.
     let _ = writeln!(stderr, "{} {error:#}", terminal.error_word("error:"));
-    Exit::Failure
 }

@@ -1,6 +1,6 @@
 //! What goes to the terminal and into files.
 
-use std::fs::File;
+use std::fs::{File, Metadata, Permissions};
 use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
 
@@ -87,6 +87,8 @@ pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> any
 #[derive(Debug)]
 pub(crate) struct OutputFile {
     path: PathBuf,
+    /// Of the file that is replaced.
+    permissions: Option<Permissions>,
     file: BufWriter<Place>,
 }
 
@@ -116,7 +118,8 @@ impl OutputFile {
                 Place::Beside(file.map_err(|error| without_path(&error)).with_context(refuse)?)
             }
         };
-        Ok(Self { path: target, file: BufWriter::with_capacity(1 << 16, place) })
+        let permissions = target.metadata().ok().filter(Metadata::is_file).map(|found| found.permissions());
+        Ok(Self { path: target, permissions, file: BufWriter::with_capacity(1 << 16, place) })
     }
 
     /// Gives the complete file its name.
@@ -125,7 +128,11 @@ impl OutputFile {
         match self.file.into_inner().map_err(|error| without_path(&error.into_error())).with_context(refuse)? {
             Place::Direct(mut file) => file.flush().with_context(refuse),
             Place::Beside(file) => {
-                give_usual_permissions(file.as_file()).with_context(refuse)?;
+                match self.permissions {
+                    Some(permissions) => file.as_file().set_permissions(permissions),
+                    None => give_usual_permissions(file.as_file()),
+                }
+                .with_context(refuse)?;
                 file.persist(&self.path).map_err(|error| without_path(&error.error)).with_context(refuse)?;
                 Ok(())
             }

@@ -10,7 +10,13 @@ use crate::output::print;
 pub(super) fn run(arguments: &ExplainArguments) -> anyhow::Result<Exit> {
     let topic = arguments.topic.join(" ");
     if let Some(rule) = acrc_lint::explain(&topic) {
-        print(|out| write!(out, "{}", rule.render()))?;
+        print(|out| {
+            write!(out, "{}", rule.render())?;
+            match rule.configuration() {
+                words if words.is_empty() => Ok(()),
+                words => write!(out, "\n{words}"),
+            }
+        })?;
         return Ok(Exit::Clean);
     }
     let explanation = acrc_catalog::explain(&topic);

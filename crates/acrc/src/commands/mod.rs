@@ -2,11 +2,15 @@
 
 mod build;
 mod explain;
+mod fmt;
 mod lint;
 mod list;
 mod mem;
 mod project;
 mod sim;
+mod source_file;
+mod stdin;
+mod targets;
 
 use crate::cli::{Arguments, Command};
 use crate::exit::Exit;
@@ -15,6 +19,7 @@ use crate::exit::Exit;
 pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
     match &arguments.command {
         Command::Lint(lint) => lint::run(lint, arguments.color),
+        Command::Fmt(fmt) => fmt::run(fmt, arguments.color),
         Command::Build(build) => build::run(build, arguments.color),
         Command::List(list) => list::run(list),
         Command::Mem(mem) => mem::run(mem, arguments.color),

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use acrc_analysis::Database;
-use acrc_analysis::project::{self, LoadedProject};
+use acrc_analysis::project::{self, CONFIG_NAME, Disk, Files, LoadError, LoadedProject};
 use acrc_diagnostics::{Diagnostic, FileReport, Severity, SourceFile, Summary, text};
 use acrc_image::Image;
 use anyhow::Context as _;
@@ -14,8 +14,23 @@ use crate::output::Terminal;
 
 /// Loads the project at a path.
 pub(crate) fn load(path: &Path) -> anyhow::Result<LoadedProject> {
-    let path = Utf8Path::from_path(path).with_context(|| format!("{} is not a path in UTF-8", path.display()))?;
-    Ok(project::load(path)?)
+    load_from(&Disk, utf8(path)?)
+}
+
+/// Loads the project at a path through a file system.
+pub(crate) fn load_from(files: &dyn Files, path: &Utf8Path) -> anyhow::Result<LoadedProject> {
+    let project = project::load_from(files, path)?;
+    let problems = acrc_lint::problems(&project.config.lint);
+    if !problems.is_empty() {
+        let path = project.root.join(CONFIG_NAME);
+        return Err(LoadError::Config { path, message: problems.join("\n") }.into());
+    }
+    Ok(project)
+}
+
+/// A path in UTF-8.
+pub(crate) fn utf8(path: &Path) -> anyhow::Result<&Utf8Path> {
+    Utf8Path::from_path(path).with_context(|| format!("{} is not a path in UTF-8", path.display()))
 }
 
 /// What a person calls a project: a lone file by its path, a folder by its name.
@@ -37,7 +52,7 @@ pub(crate) fn check(project: &LoadedProject) -> Vec<Vec<Diagnostic>> {
 pub(crate) fn inputs(project: &LoadedProject) -> Vec<PathBuf> {
     let files = project.files.iter().map(|file| file.path.clone());
     let world = project.config.sim.world.iter().map(|path| project.root.join(path));
-    let config = std::iter::once(project.root.join(acrc_analysis::project::CONFIG_NAME));
+    let config = std::iter::once(project.root.join(CONFIG_NAME));
     files.chain(world).chain(config).map(camino::Utf8PathBuf::into_std_path_buf).collect()
 }
 

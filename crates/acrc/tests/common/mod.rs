@@ -2,8 +2,9 @@
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 use tempfile::TempDir;
@@ -42,6 +43,23 @@ impl Bench {
         let mut command = Command::new(env!("CARGO_BIN_EXE_acrc"));
         command.args(arguments).current_dir(self.folder.path()).env_remove("NO_COLOR");
         command.output().expect("acrc starts").into()
+    }
+
+    /// Runs `acrc` in the folder with something on standard input. What comes back may be no UTF-8.
+    pub(crate) fn feed(&self, arguments: &[&str], input: &[u8]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_acrc"));
+        command.args(arguments).current_dir(self.folder.path()).env_remove("NO_COLOR");
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("acrc starts");
+        let mut stdin = child.stdin.take().expect("a pipe");
+        stdin.write_all(input).expect("acrc reads all of it");
+        drop(stdin);
+        child.wait_with_output().expect("acrc ends")
+    }
+
+    /// The bytes of a file.
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).expect("the file is there")
     }
 
     /// Runs `acrc sim --format json` and reads the report; the run must not have failed to begin.
