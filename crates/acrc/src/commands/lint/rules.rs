@@ -61,7 +61,9 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection) -> anyhow::R
     Ok(Exit::Clean)
 }
 
+/// A row a line. On a terminal a line is cut where the terminal would break it.
 fn table(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
+    let columns = terminal_size::terminal_size_of(io::stdout()).map(|(width, _)| usize::from(width.0));
     let width = |text: fn(&Row) -> &str| rows.iter().map(|row| text(row).len()).max().unwrap_or(0);
     let (names, groups) = (width(|row| row.name), width(|row| row.group));
     writeln!(out, "{:<6}  {:<names$}  {:<groups$}  {:<8}  {:<6}  finds", "code", "name", "group", "severity", "fix")?;
@@ -69,7 +71,14 @@ fn table(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
         let severity = if row.enabled { row.severity } else { "off" };
         let fix = row.fix.unwrap_or_default();
         let Row { code, name, group, summary, .. } = row;
-        writeln!(out, "{code:<6}  {name:<names$}  {group:<groups$}  {severity:<8}  {fix:<6}  {summary}")?;
+        let line = format!("{code:<6}  {name:<names$}  {group:<groups$}  {severity:<8}  {fix:<6}  {summary}");
+        match columns.filter(|columns| line.chars().count() > *columns) {
+            Some(columns) => {
+                let kept: String = line.chars().take(columns.saturating_sub(1)).collect();
+                writeln!(out, "{kept}\u{2026}")?;
+            }
+            None => writeln!(out, "{line}")?,
+        }
     }
     Ok(())
 }
