@@ -1,8 +1,7 @@
 //! The list of all rules, and the way from a code or name to its page.
 
 use crate::rule::{Rule, RuleDoc};
-use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, syntax};
-use crate::rules::{arguments, compile, flow, motion, names, parameters, suppressions, syntax};
+use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, suppressions, syntax};
 
 /// Every rule, in the order of the codes.
 pub(crate) const RULES: &[&Rule] = &[
