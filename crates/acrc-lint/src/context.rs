@@ -2,13 +2,18 @@
 
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 use acrc_analysis::memory::{MemorySites, MemoryView};
 use acrc_analysis::{AliasFact, Environment, FileContext, FileIndex, Machine, Questions, SectionIndex, Usage};
 use acrc_catalog::{Confidence, Model, OperandClass};
 use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
-use acrc_syntax::units::Level;
+use acrc_syntax::units::{Level, SectionKind};
+
+use crate::flow::Flow;
+use crate::rule::Rule;
+use crate::settings::Settings;
 
 use crate::motions::{self, Motion};
 
@@ -19,6 +24,9 @@ pub(crate) struct Context<'a> {
     statement: u32,
     found: Vec<Diagnostic>,
     motions: OnceCell<Vec<Motion>>,
+    on: RuleSet,
+    /// The ways through the program that was asked for last, by its first statement.
+    flow: Option<(u32, Option<Rc<Flow>>)>,
     /// Levels whose missing attachments were reported.
     pub(crate) reported_levels: Vec<Level>,
     /// Variables without memory that were reported, as rules of the memory name them.
@@ -26,13 +34,15 @@ pub(crate) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(file: &'a FileContext<'a>) -> Self {
+    pub(crate) fn new(file: &'a FileContext<'a>, on: RuleSet) -> Self {
         Self {
             file,
             section: None,
             statement: 0,
             found: Vec::new(),
             motions: OnceCell::new(),
+            on,
+            flow: None,
             reported_levels: Vec::new(),
             reported_variables: BTreeSet::new(),
         }
@@ -122,6 +132,37 @@ impl<'a> Context<'a> {
     /// What is known of the alias at `span`.
     pub(crate) fn alias(&self, span: Span) -> Option<&'a AliasFact> {
         self.file.environment.alias(self.slice(span))
+    }
+
+    /// Whether findings of a rule are heard: one that costs time and is off by itself asks first.
+    pub(crate) fn hears(&self, rule: &Rule) -> bool {
+        place_of(rule.doc.code.id).is_some_and(|place| self.on.contains(place))
+    }
+
+    /// Whether a section is the whole text of a stored program, in the order in which it runs and with balanced blocks.
+    /// What is typed at a prompt, and lines that are stored by their numbers, may go on elsewhere.
+    pub(crate) fn is_whole_program(&self, index: &SectionIndex) -> bool {
+        let section = &index.section;
+        let is_bounded = section.closer.is_some() || (section.opener.is_none() && self.index().implicit_program);
+        let in_order = |pair: &[acrc_analysis::index::LineSite]| matches!(pair, [a, b] if a.number < b.number && a.statement < b.statement);
+        section.kind == SectionKind::Stored
+            && is_bounded
+            && index.swallowed.is_none()
+            && index.blocks.errors().is_empty()
+            && index.lines.windows(2).all(in_order)
+    }
+
+    /// The ways through the program that a section holds; `None` if that is not a whole program.
+    pub(crate) fn flow(&mut self, index: &SectionIndex) -> Option<Rc<Flow>> {
+        let start = index.section.statements.start;
+        if let Some((known, flow)) = &self.flow
+            && *known == start
+        {
+            return flow.clone();
+        }
+        let flow = self.is_whole_program(index).then(|| Rc::new(Flow::new(self.tree(), index)));
+        self.flow = Some((start, flow.clone()));
+        flow
     }
 
     /// Adds a finding.

@@ -67,3 +67,12 @@ pub(crate) fn codes_in(text: &str, found: &[Diagnostic]) -> Vec<(u32, &'static s
     let loud = found.iter().filter(|diagnostic| diagnostic.severity > Severity::Advice);
     loud.map(|diagnostic| (index.position(diagnostic.span.start).line, diagnostic.code.id)).collect()
 }
+
+/// A single file after the first fix of each finding of one rule.
+pub(crate) fn fixed(code: &str, text: &str) -> String {
+    let mut config = Config::default();
+    config.lint.select = Some(vec![code.to_owned()]);
+    let found = lint_with(acrc_catalog::default_model(), config, &[("test.8K", text)]).concat();
+    let fixes: Vec<_> = found.iter().filter_map(|found| found.fixes.first()).collect();
+    acrc_diagnostics::apply(text, &fixes).expect("fixes of one rule fit together")
+}

@@ -5,7 +5,6 @@ use acrc_diagnostics::{Code, Severity, Span};
 use acrc_syntax::units::SectionKind;
 
 use crate::Context;
-use crate::flow::Flow;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -30,11 +29,10 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
         section.jumps.iter().filter(|jump| jump.call).filter_map(|jump| Some((jump.to?, jump.target.span()))).collect();
     called.sort_unstable();
     called.dedup_by_key(|(statement, _)| *statement);
-    if called.is_empty() || !section.blocks.errors().is_empty() {
+    if called.is_empty() {
         return;
     }
-
-    let flow = Flow::new(context.tree(), section);
+    let Some(flow) = context.flow(section) else { return };
     called.retain(|(entry, _)| flow.runs_off_the_end(*entry));
     let Some((_, first)) = called.first() else { return };
     let names: Vec<_> = called.iter().map(|(_, name)| format!("`{}`", context.slice(*name))).collect();

@@ -1,14 +1,30 @@
 //! Labels, blocks, and the way through a program (guide, "Program Labels" and "Program Flow").
 
 pub(crate) mod break_outside_loop;
+pub(crate) mod code_outside_program;
 pub(crate) mod crossed_blocks;
 pub(crate) mod duplicate_label;
+pub(crate) mod duplicate_line_number;
+pub(crate) mod empty_block;
+pub(crate) mod endless_loop;
 pub(crate) mod endp_without_program;
+pub(crate) mod fall_into_subroutine;
+pub(crate) mod for_never_runs;
+pub(crate) mod for_variable_changed;
+pub(crate) mod goto_into_block;
 pub(crate) mod goto_out_of_block;
+pub(crate) mod if_then_in_block;
+pub(crate) mod line_numbers_out_of_order;
+pub(crate) mod loop_never_changes;
 pub(crate) mod missing_return;
 pub(crate) mod no_program;
+pub(crate) mod pboot_not_first;
 pub(crate) mod program_not_closed;
+pub(crate) mod recursive_subroutine;
+pub(crate) mod return_without_gosub;
+pub(crate) mod subroutine_never_returns;
 pub(crate) mod unclosed_block;
 pub(crate) mod undefined_label;
 pub(crate) mod unopened_block_end;
+pub(crate) mod unreachable_code;
 pub(crate) mod unused_label;
