@@ -1,7 +1,7 @@
 //! The list of all rules, and the way from a code or name to its page.
 
 use crate::rule::{Rule, RuleDoc};
-use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, suppressions, syntax};
+use crate::rules::{arguments, compile, flow, memory, motion, names, parameters, style, suppressions, syntax};
 
 /// Every rule, in the order of the codes.
 pub(crate) const RULES: &[&Rule] = &[
@@ -123,6 +123,17 @@ pub(crate) const RULES: &[&Rule] = &[
     &motion::wait_for_other_axis::RULE,
     &motion::coordinated_wait_for_jog::RULE,
     &motion::jog_stopped_at_once::RULE,
+    &style::keyword_case::RULE,
+    &style::remark_costs_memory::RULE,
+    &style::magic_number::RULE,
+    &style::goto_loop::RULE,
+    &style::unused_variable::RULE,
+    &style::constant_condition::RULE,
+    &style::duplicate_branch::RULE,
+    &style::duplicate_condition::RULE,
+    &style::self_assignment::RULE,
+    &style::mixed_and_or::RULE,
+    &style::float_equality::RULE,
     &suppressions::unused_suppression::RULE,
     &suppressions::unknown_suppression::RULE,
 ];

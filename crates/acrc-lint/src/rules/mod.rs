@@ -7,5 +7,6 @@ pub(crate) mod memory;
 pub(crate) mod motion;
 pub(crate) mod names;
 pub(crate) mod parameters;
+pub(crate) mod style;
 pub(crate) mod suppressions;
 pub(crate) mod syntax;

@@ -1,0 +1,132 @@
+//! `ACR606`: a condition, or a part of one, that is always the same.
+
+use acrc_analysis::walk;
+use acrc_catalog::{Operator, UnaryOperator, command};
+use acrc_diagnostics::{Code, Diagnostic, Severity};
+use acrc_syntax::ast::{Expr, ExprKind, Statement, StatementKind};
+
+use crate::Context;
+use crate::operands::{bare, condition, is_repeatable, same_text};
+use crate::rule::{Check, Group, Rule, RuleDoc};
+
+pub(crate) static RULE: Rule = Rule {
+    doc: RuleDoc {
+        code: Code { id: "ACR606", name: "constant-condition" },
+        group: Group::Style,
+        severity: Severity::Warning,
+        enabled: true,
+        what: "A condition compares something with itself, or joins a comparison and a bare number with OR or AND. A \
+               condition of numbers only is reported as advice, except that of an endless WHILE.",
+        why: "`P0 = 1 OR 2` is not \"1 or 2\": any number but zero is true, so the condition always is. What should depend \
+              on it happens every time.",
+        bad: "PROG0\nPROGRAM\nIF (P0 = 1 OR 2) THEN SET 32\nENDP",
+        good: "PROG0\nPROGRAM\nIF (P0 = 1 OR P0 = 2) THEN SET 32\nENDP",
+        guide: "Programming Basics / Parametric Evaluation",
+    },
+    checks: &[Check::Statement(check)],
+};
+
+fn check(context: &mut Context<'_>, statement: &Statement) {
+    let Some(condition) = condition(statement) else { return };
+    let is_while = matches!(&statement.kind, StatementKind::Command(head) if head.id == command::WHILE);
+    let inner = bare(condition);
+    match walk::literal(inner) {
+        Some(value) if is_while && value != 0.0 => {}
+        Some(value) => {
+            let truth = if value == 0.0 { "false" } else { "true" };
+            let mut diagnostic = RULE.at(condition.span, format!("this condition is always {truth}"));
+            diagnostic.severity = Severity::Advice;
+            context.report(diagnostic);
+        }
+        None => check_parts(context, inner),
+    }
+}
+
+/// Looks at a condition and the conditions that it is joined of.
+fn check_parts(context: &mut Context<'_>, expr: &Expr) {
+    match &bare(expr).kind {
+        ExprKind::Unary(UnaryOperator::Not, inner) => check_parts(context, inner),
+        ExprKind::Binary(operator, _, sides) => {
+            if let Some(diagnostic) = judge(context, expr, *operator, sides) {
+                context.report(diagnostic);
+            } else if matches!(operator, Operator::And | Operator::Or) {
+                sides.iter().for_each(|side| check_parts(context, side));
+            }
+        }
+        _ => {}
+    }
+}
+
+fn judge(context: &Context<'_>, whole: &Expr, operator: Operator, sides: &[Expr; 2]) -> Option<Diagnostic> {
+    let [left, right] = sides;
+    if is_relation(operator) {
+        let same = same_text(context, bare(left).span, bare(right).span);
+        let computed = walk::literal(left).is_none() && is_repeatable(left);
+        return (same && computed).then(|| {
+            let truth = if matches!(operator, Operator::Eq | Operator::Le | Operator::Ge) { "true" } else { "false" };
+            RULE.at(whole.span, format!("this compares something with itself: it is always {truth}"))
+        });
+    }
+    let (number, other) = match (walk::literal(left), walk::literal(right)) {
+        (None, Some(_)) => (right, left),
+        (Some(_), None) => (left, right),
+        _ => return None,
+    };
+    let ExprKind::Binary(inner, ..) = &bare(other).kind else { return None };
+    let is_zero = walk::literal(number) == Some(0.0);
+    let outcome = match operator {
+        Operator::Or if !is_zero => "this number is compared with nothing: the condition is always true",
+        Operator::And if is_zero => "this number is compared with nothing: the condition is always false",
+        Operator::And | Operator::Or => "this number is compared with nothing, and changes nothing",
+        _ => return None,
+    };
+    let help = "repeat the comparison: `P0 = 1 OR P0 = 2`";
+    is_relation(*inner).then(|| RULE.at(number.span, outcome).with_help(help))
+}
+
+fn is_relation(operator: Operator) -> bool {
+    use Operator::{Eq, Ge, Gt, Le, Lt, Ne};
+    matches!(operator, Eq | Ne | Lt | Gt | Le | Ge)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{codes, spans_of};
+
+    fn found(condition: &str) -> Vec<String> {
+        let text = format!("IF ({condition}) THEN SET 32\n");
+        spans_of("ACR606", &text).into_iter().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn a_bare_number_beside_a_comparison() {
+        assert_eq!(found("P0 = 1 OR 2"), ["2"]);
+        assert_eq!(found("(P0 > 1) AND (-1)"), ["(-1)"]);
+        assert_eq!(found("BIT 1 AND (P0 = 1 OR 2)"), ["2"]);
+        assert_eq!(found("NOT (P0 = 1 OR 2)"), ["2"]);
+    }
+
+    #[test]
+    fn masks_and_flags_are_joined_bit_by_bit() {
+        assert_eq!(found("P4096 AND 4"), [""; 0]);
+        assert_eq!(found("(P4096 AND 4) = 4"), [""; 0]);
+        assert_eq!(found("P0 = 1 OR BIT 2"), [""; 0]);
+        assert_eq!(found("(P0 OR 2) = 3"), [""; 0]);
+    }
+
+    #[test]
+    fn a_comparison_with_itself() {
+        assert_eq!(found("P0 = P0"), ["P0 = P0"]);
+        assert_eq!(found("BIT 1 AND LV0+1 <> (lv0 + 1)"), ["LV0+1 <> (lv0 + 1)"]);
+        assert_eq!(found("RND(3) = RND(3)"), [""; 0]);
+        assert_eq!(found("P0 = P1"), [""; 0]);
+    }
+
+    #[test]
+    fn numbers_only() {
+        assert_eq!(found("0"), ["(0)"]);
+        assert_eq!(codes("IF (0) THEN SET 32\n"), [], "advice");
+        assert_eq!(spans_of("ACR606", "WHILE (1)\nDWL 1\nWEND\n"), [""; 0]);
+        assert_eq!(spans_of("ACR606", "WHILE (0)\nDWL 1\nWEND\n"), ["(0)"]);
+    }
+}
