@@ -10,12 +10,14 @@ fn lint(files: &[(&str, &str)]) -> Vec<Vec<Diagnostic>> {
     let inputs = files.iter().map(|(name, text)| {
         SourceFile::new(&db, (*name).to_owned(), (*text).to_owned(), FileRole::of(name), Vec::new())
     });
-    let project = Project::new(&db, inputs.collect(), acrc_catalog::default_model(), Config::default());
+    let mut config = Config::default();
+    config.lint.select = Some(vec!["ALL".to_owned()]);
+    let project = Project::new(&db, inputs.collect(), acrc_catalog::default_model(), config);
     acrc_lint::check(&db, project).into_iter().map(|(_, found)| found).collect()
 }
 
 /// Pieces of which most sequences mean something to a rule.
-const PIECES: [&str; 48] = [
+const PIECES: [&str; 56] = [
     "PROG0",
     "PROG1",
     "PLC0",
@@ -64,6 +66,14 @@ const PIECES: [&str; 48] = [
     "REM \u{e4}\u{2014}",
     "VLE 5",
     "\"",
+    "10 GOTO A",
+    "PBOOT",
+    "LV0 = LV0 + 1",
+    "WHILE (LV0 < 3 OR 2 AND LV1)",
+    "if (bit1) then LV(P0) = LV0",
+    "FOR LV0 = 5 TO 1 STEP -1",
+    "GOSUB B",
+    "HALT ALL",
 ];
 
 fn program() -> impl Strategy<Value = String> {
@@ -84,6 +94,9 @@ proptest! {
                 let labels = diagnostic.labels.iter().map(|label| label.span);
                 for span in labels.chain(edits).chain([diagnostic.span]) {
                     prop_assert!(text.get(span.range()).is_some(), "{:?} in {:?}", diagnostic, text);
+                }
+                for fix in &diagnostic.fixes {
+                    prop_assert!(acrc_diagnostics::apply(text, &[fix]).is_ok(), "{:?} in {:?}", fix, text);
                 }
                 prop_assert!(!(diagnostic.unconfirmed && diagnostic.severity == Severity::Error));
             }
