@@ -7,7 +7,7 @@ pub(crate) mod duplicate_condition;
 pub(crate) mod float_equality;
 pub(crate) mod goto_loop;
 pub(crate) mod keyword_case;
-pub(crate) mod magic_number;
+pub(crate) mod magic_bit_number;
 pub(crate) mod mixed_and_or;
 pub(crate) mod remark_costs_memory;
 pub(crate) mod self_assignment;
