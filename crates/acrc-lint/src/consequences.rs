@@ -79,7 +79,7 @@ mod tests {
             "P0=0x1F",
             "SET -",
             "IF (BIT 1) THEN",
-            "FOR LV0=1 TO 3\nDWL 1\nNEXT LV0",
+            "FOR P0=1 TO 3\nDWL 1\nNEXT P0",
             "IF (BIT 1)\nEND IF",
         ] {
             let text = format!("PROG0\nPROGRAM\n{statement}\nENDP\n");

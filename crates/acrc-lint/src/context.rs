@@ -12,9 +12,6 @@ use acrc_syntax::Tree;
 use acrc_syntax::units::{Level, SectionKind};
 
 use crate::flow::Flow;
-use crate::rule::Rule;
-use crate::settings::Settings;
-
 use crate::motions::{self, Motion};
 
 /// The file, the place of the pass in it, and the findings so far.
@@ -24,7 +21,6 @@ pub(crate) struct Context<'a> {
     statement: u32,
     found: Vec<Diagnostic>,
     motions: OnceCell<Vec<Motion>>,
-    on: RuleSet,
     /// The ways through the program that was asked for last, by its first statement.
     flow: Option<(u32, Option<Rc<Flow>>)>,
     /// Levels whose missing attachments were reported.
@@ -34,14 +30,13 @@ pub(crate) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(file: &'a FileContext<'a>, on: RuleSet) -> Self {
+    pub(crate) fn new(file: &'a FileContext<'a>) -> Self {
         Self {
             file,
             section: None,
             statement: 0,
             found: Vec::new(),
             motions: OnceCell::new(),
-            on,
             flow: None,
             reported_levels: Vec::new(),
             reported_variables: BTreeSet::new(),
@@ -132,11 +127,6 @@ impl<'a> Context<'a> {
     /// What is known of the alias at `span`.
     pub(crate) fn alias(&self, span: Span) -> Option<&'a AliasFact> {
         self.file.environment.alias(self.slice(span))
-    }
-
-    /// Whether findings of a rule are heard: one that costs time and is off by itself asks first.
-    pub(crate) fn hears(&self, rule: &Rule) -> bool {
-        place_of(rule.doc.code.id).is_some_and(|place| self.on.contains(place))
     }
 
     /// Whether a section is the whole text of a stored program, in the order in which it runs and with balanced blocks.

@@ -13,7 +13,7 @@ use crate::{settings, suppress};
 pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
     let Some(settings) = settings::of_file(file) else { return Vec::new() };
     let plan = &settings.plan;
-    let mut context = Context::new(file, settings.on);
+    let mut context = Context::new(file);
     for check in &plan.file {
         check(&mut context);
     }

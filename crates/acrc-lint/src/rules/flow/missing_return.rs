@@ -79,7 +79,7 @@ mod tests {
     fn loops_end_where_they_are_left() {
         assert_eq!(sub("WHILE (1)\nSET 32\nWEND"), []);
         assert_eq!(sub("WHILE (1)\nIF (BIT 1) THEN BREAK\nWEND"), [(9, "ACR117")]);
-        assert_eq!(sub("FOR LV0 = 1 TO 3\nRETURN\nNEXT"), [(9, "ACR117")]);
+        assert_eq!(sub("FOR P0 = 1 TO 3\nRETURN\nNEXT"), [(9, "ACR117")]);
         assert_eq!(sub("GOTO Sub"), []);
     }
 

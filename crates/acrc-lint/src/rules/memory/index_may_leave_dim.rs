@@ -57,7 +57,7 @@ fn beyond(number: i64, count: u64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, lint};
+    use crate::testing::{codes, found_by};
 
     fn program(statements: &str) -> Vec<(u32, &'static str)> {
         codes(&format!("PROG0\nPROGRAM\nCLEAR : DIM LV(3) : DIM LA(1) : DIM LA0(10)\n{statements}\nENDP\n"))
@@ -97,13 +97,13 @@ mod tests {
             program("FOR LV0 = 0 TO 10\nGOSUB A\nLA0(LV0) = 0\nNEXT\nEND\n_A\nLV1 = 0\nRETURN"),
             [(6, "ACR404")]
         );
-        assert_eq!(program("GOTO In\nFOR LV0 = 0 TO 10\n_In\nLA0(LV0) = 0\nNEXT"), []);
+        assert_eq!(program("GOTO In\nFOR LV0 = 0 TO 10\n_In\nLA0(LV0) = 0\nNEXT"), [(4, "ACR133")]);
     }
 
     #[test]
     fn the_message_says_how_far() {
         let text = "PROG0\nDIM LV(1)\nDIM LA(1)\nDIM LA0(10)\nPROGRAM\nFOR LV0=0 TO 10\nLA0(LV0)=0\nNEXT\nENDP\n";
-        let found = lint(&[("test.8K", text)]).concat();
+        let found = found_by("ACR404", text);
         assert_eq!(found[0].message, "LV0 can be 10, but DIM LA0(10) gives elements 0 to 9");
     }
 

@@ -45,7 +45,7 @@ fn check(context: &mut Context<'_>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, codes_in, lint};
+    use crate::testing::{codes, codes_in, lint, spans_of};
 
     #[test]
     fn factory_settings_give_memory_to_the_first_eight_programs() {
@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn what_may_not_happen_proves_nothing() {
         assert_eq!(codes("PROG0\nPROGRAM\nIF (BIT 1)\nDIM LV(3)\nELSE\nDIM LV(4)\nENDIF\nENDP\n"), []);
-        assert_eq!(codes("PROG0\nPROGRAM\nDIM LV(3)\nGOTO Other\nDIM LV(4)\n_Other\nENDP\n"), []);
+        assert_eq!(spans_of("ACR402", "PROG0\nPROGRAM\nDIM LV(3)\nGOTO Other\nDIM LV(4)\n_Other\nENDP\n"), [""; 0]);
         assert_eq!(codes("SYS\nIF (BIT 1) THEN CLEAR\nDIM PROG0(100)\n"), []);
     }
 

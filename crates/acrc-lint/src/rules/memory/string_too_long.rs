@@ -55,7 +55,7 @@ fn constant(value: &Expr) -> Option<Span> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, lint};
+    use crate::testing::{codes, found_by};
 
     fn program(statements: &str) -> String {
         format!("PROG0\nPROGRAM\nCLEAR\nDIM $V(2,5)\nDIM $A(1)\nDIM $A0(3,4)\n{statements}\nENDP\n")
@@ -66,7 +66,7 @@ mod tests {
         assert_eq!(codes(&program("$V0 = \"12345\"\n$A0(1) = \"1234\"")), []);
         assert_eq!(codes(&program("$V1 = \"123456\"")), [(7, "ACR409")]);
         assert_eq!(codes(&program("$A0(1) = \"12345\"")), [(7, "ACR409")]);
-        let found = lint(&[("test.8K", &program("$V1 = \"123456\""))]).concat();
+        let found = found_by("ACR409", &program("$V1 = \"123456\""));
         assert_eq!(found[0].message, "the text has 6 characters but DIM $V(2, 5) holds 5");
     }
 

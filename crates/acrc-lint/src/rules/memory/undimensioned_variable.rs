@@ -1,8 +1,9 @@
 //! `ACR405`: a local variable that nothing gives memory to.
 
 use acrc_analysis::memory::LocalBlock;
-use acrc_diagnostics::{Code, Severity};
+use acrc_diagnostics::{Code, Diagnostic, Severity};
 use acrc_syntax::ast::Expr;
+use acrc_syntax::units::SectionKind;
 
 use super::operands::{self, Index, Room};
 use super::sites;
@@ -16,8 +17,9 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Error,
         enabled: true,
         what: "A program uses local variables of a class, or an array, that no DIM gives memory to: neither at the prompt \
-               of the program nor in its text. A program of which nothing is dimensioned is not judged when the project \
-               gives and clears no system memory either: allocations outlive a download.",
+               of the program nor in its text. It is a warning when the project neither dimensions nor clears anything \
+               else: allocations outlive a download, so that the controller may have the memory from before. A lone \
+               piece of code is not judged.",
         why: "With factory settings a program has no local variables. It stops with an error at the first one.",
         bad: "PROG0\nPROGRAM\nCLEAR\nDIM LV(2)\nDV0 = 0.5\nENDP",
         good: "PROG0\nPROGRAM\nCLEAR\nDIM LV(2)\nDIM DV(1)\nDV0 = 0.5\nENDP",
@@ -28,8 +30,8 @@ pub(crate) static RULE: Rule = Rule {
 
 fn check(context: &mut Context<'_>, expr: &Expr) {
     let level = context.level();
-    let known = context.memory().locals(level).is_some_and(|dims| !dims.is_empty());
-    if !known && !context.memory().managed {
+    let known = context.memory().locals(level).is_some_and(|dims| !dims.is_empty()) || context.memory().managed;
+    if !known && !is_complete(context) {
         return;
     }
     for place in operands::places(context, expr) {
@@ -66,13 +68,23 @@ fn check(context: &mut Context<'_>, expr: &Expr) {
             Index::Number(number) => format!("{dim}({}) at its prompt or at its beginning", number.saturating_add(1)),
             Index::Computed(_) => format!("{dim}(n) at its prompt or at its beginning"),
         };
-        context.report_by(sites::confidence(class), RULE.at(place.span, what).with_help(help));
+        let diagnostic = RULE.at(place.span, what).with_help(help);
+        let diagnostic = if known { diagnostic } else { Diagnostic { severity: Severity::Warning, ..diagnostic } };
+        context.report_by(sites::confidence(class), diagnostic);
     }
+}
+
+/// Whether the statement belongs to a stored program of a project that shows more than a piece of code.
+fn is_complete(context: &Context<'_>) -> bool {
+    let is_stored = context.section().is_some_and(|section| section.section.kind == SectionKind::Stored);
+    is_stored && !context.environment().fragment
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, codes_in, lint};
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{codes, codes_in, found_by, lint};
 
     #[test]
     fn a_class_is_reported_once_a_program() {
@@ -91,22 +103,25 @@ mod tests {
         let (setup, program) = ("PROG2\nDIM SV(3)\n", "PROGRAM\nSV2 = LV0\nENDP\n");
         let found = lint(&[("Setup.8K", setup), ("Prog2.8K", program)]);
         assert_eq!(codes_in(program, &found[1]), [(2, "ACR405")]);
-        assert_eq!(found[1][0].message, "LV0 has no memory: program 2 has no DIM LV(n)");
+        let message = found[1].iter().find(|found| found.code.id == "ACR405").map(|found| found.message.as_str());
+        assert_eq!(message, Some("LV0 has no memory: program 2 has no DIM LV(n)"));
     }
 
     #[test]
     fn arrays_need_references_and_elements() {
         let text = |dims: &str| format!("PROG0\nDIM LV(1)\n{dims}PROGRAM\nLA0(LV0)=1\nENDP\n");
-        let found = lint(&[("test.8K", &text(""))]).concat();
+        let found = found_by("ACR405", &text(""));
         assert_eq!(found.len(), 1, "{found:#?}");
-        let found = lint(&[("test.8K", &text("DIM LA(1)\n"))]).concat();
+        let found = found_by("ACR405", &text("DIM LA(1)\n"));
         assert_eq!(found[0].message, "LA0 has no elements: program 0 has no DIM LA0(n)");
         assert_eq!(codes(&text("DIM LA(1)\nDIM LA0(5)\n")), []);
     }
 
     #[test]
     fn without_any_dim_nothing_is_known() {
-        assert_eq!(codes("PROG0\nPROGRAM\nLV0=1\nENDP\n"), []);
+        assert_eq!(codes("FOR LV0=1 TO 5\nSET (LV0)\nNEXT\n"), [], "a piece of code");
+        assert_eq!(found_by("ACR405", "PROG0\nPROGRAM\nLV0=1\nENDP\n")[0].severity, Severity::Warning);
+        assert_eq!(found_by("ACR405", "PROG0\nCLEAR\nDIM DV(1)\nPROGRAM\nLV0=1\nENDP\n")[0].severity, Severity::Error);
         assert_eq!(codes("PLC0\nPROGRAM\nLD 5\nENDP\n"), []);
     }
 }

@@ -26,9 +26,6 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, index: &SectionIndex) {
-    if !context.hears(&RULE) {
-        return;
-    }
     for at in index.section.statements.clone() {
         let Some(statement) = context.tree().statements().get(at as usize) else { break };
         if let Some(condition) = condition(statement) {

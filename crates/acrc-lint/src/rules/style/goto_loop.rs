@@ -25,7 +25,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, section: &SectionIndex) {
-    if section.jumps.is_empty() || !section.blocks.errors().is_empty() || !context.hears(&RULE) {
+    if section.jumps.is_empty() || !section.blocks.errors().is_empty() {
         return;
     }
     let mut targets: Vec<u32> = section.jumps.iter().filter_map(|jump| jump.to).collect();

@@ -25,9 +25,6 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    if !context.hears(&RULE) {
-        return;
-    }
     let mut names = Vec::new();
     for statement in context.tree().statements() {
         names.clear();

@@ -29,9 +29,6 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    if !context.hears(&RULE) {
-        return;
-    }
     let mut uses = Vec::new();
     for statement in context.tree().statements() {
         collect(context, statement, &mut uses);

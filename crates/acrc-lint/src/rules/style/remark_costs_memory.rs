@@ -32,7 +32,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, index: &SectionIndex) {
-    if index.section.kind != SectionKind::Stored || !context.hears(&RULE) {
+    if index.section.kind != SectionKind::Stored {
         return;
     }
     let tree = context.tree();
