@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use acrc_analysis::project::{Config, FileGlob, Files, LintLevel, Overlay, load_from, owner, search};
+use acrc_analysis::project::{Config, FileGlob, FileGlobs, Files, LintLevel, Overlay, load_from, owner, search};
 use camino::{Utf8Path, Utf8PathBuf};
 use tempfile::TempDir;
 
@@ -105,7 +105,11 @@ fn the_configuration_of_the_linter_and_the_formatter_is_read() {
     assert_eq!(lint.severity["a"], LintLevel::Off);
     assert_eq!(lint.per_file_ignores.0, [(FileGlob::new("*.8K").expect("a pattern"), vec!["b".to_owned()])]);
     assert_eq!(lint.overrides[0].select, Some(Vec::new()));
-    assert!(lint.excludes(place.root.join("x/a.8K").as_str()) && !lint.excludes(place.root.join("a.8K").as_str()));
+    let exclude = FileGlobs::new(&lint.exclude).expect("short patterns");
+    for (name, excluded) in [("x/a.8K", true), ("a.8K", false)] {
+        let path = place.root.join(name);
+        assert_eq!(!exclude.matching(lint.relative(path.as_str())).is_empty(), excluded, "{name}");
+    }
     assert_eq!(fmt.indent, Some(2));
     for (broken, expected) in [
         ("[lint]\nselct = []\n", "unknown field `selct`"),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use acrc_analysis::project::{LintConfig, LintLevel};
+use acrc_analysis::project::{FileGlobs, LintConfig, LintLevel};
 use acrc_analysis::{Database, FileRole, Project, SourceFile, project::Config};
 use acrc_diagnostics::{Applicability, Severity};
 
@@ -51,6 +51,9 @@ pub fn problems(config: &LintConfig) -> Vec<String> {
         if part.files.is_empty() {
             problems.0.push(format!("{place}files is empty: name the files that it is about"));
         }
+    }
+    if let Err(problem) = FileGlobs::new(settings::patterns(config).map(|(glob, _)| glob)) {
+        problems.0.push(problem);
     }
     let given = &config.command_line;
     problems.choice("", "--", given.select.as_deref(), &given.extend_select, &given.ignore);

@@ -6,10 +6,10 @@
 //! `per-file-ignores`. What the parser reports as an error is always heard.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use acrc_analysis::FileContext;
-use acrc_analysis::project::{LintConfig, LintLevel, Override, Selection};
+use acrc_analysis::project::{FileGlob, FileGlobs, LintConfig, LintLevel, Override, Selection};
 use acrc_diagnostics::{Diagnostic, Severity};
 
 use crate::plan::Plan;
@@ -72,25 +72,39 @@ pub(crate) fn of_file(file: &FileContext<'_>) -> Option<Arc<Settings>> {
 
 /// What is heard in the file of this name, or in one that no pattern is about.
 pub(crate) fn of(config: &LintConfig, name: Option<&str>) -> Option<Arc<Settings>> {
-    if name.is_some_and(|name| config.excludes(name)) {
-        return None;
-    }
     let prepare = || Prepared::new(config);
-    Some(match config.prepared.get_or_init(prepare) {
+    match config.prepared.get_or_init(prepare) {
         Some(prepared) => prepared.of_file(config, name),
         None => prepare().of_file(config, name),
-    })
+    }
 }
 
-/// What a configuration says, with its selectors understood.
+/// What a configuration says, with its selectors and patterns understood.
 struct Prepared {
     lint: Layer,
-    overrides: Vec<Layer>,
     command_line: Layer,
+    /// All patterns.
+    globs: FileGlobs,
+    /// What each of them is for.
+    uses: Vec<Use>,
+    overrides: Vec<Layer>,
     /// In the order of [`LintConfig::per_file_ignores`].
     ignores: Vec<RuleSet>,
     /// For files that no pattern is about.
     general: Arc<Settings>,
+    /// For files that some patterns are about, by those patterns: many files share one.
+    special: Mutex<BTreeMap<Vec<usize>, Arc<Settings>>>,
+}
+
+/// What a pattern is for.
+#[derive(Clone, Copy)]
+pub(crate) enum Use {
+    /// Its files are not checked.
+    Exclude,
+    /// Of an override, by its place.
+    Override(usize),
+    /// Of the ignores of files, by its place.
+    Ignore(usize),
 }
 
 impl Prepared {
@@ -100,32 +114,56 @@ impl Prepared {
             |part: &Override| Layer::new(part.select.as_deref(), &part.extend_select, &part.ignore, &part.severity);
         let Selection { select, extend_select, ignore } = &config.command_line;
         let command_line = Layer::new(select.as_deref(), extend_select, ignore, &BTreeMap::new());
+        let (globs, uses): (Vec<&FileGlob>, Vec<Use>) = patterns(config).unzip();
         Self {
+            // What is too long is told by `problems`.
+            globs: FileGlobs::new(globs).unwrap_or_default(),
+            uses,
             general: Arc::new(resolve(&[&lint, &command_line], RuleSet::default())),
             overrides: config.overrides.iter().map(of_override).collect(),
             ignores: config.per_file_ignores.0.iter().map(|(_, selectors)| union(selectors)).collect(),
+            special: Mutex::default(),
             lint,
             command_line,
         }
     }
 
-    fn of_file(&self, config: &LintConfig, name: Option<&str>) -> Arc<Settings> {
-        let Some(name) = name else { return Arc::clone(&self.general) };
-        let is_about = |part: &Override| part.files.iter().any(|glob| config.matches(glob, name));
-        let overrides = config.overrides.iter().zip(&self.overrides).filter(|(part, _)| is_about(part));
-        let overrides: Vec<&Layer> = overrides.map(|(_, layer)| layer).collect();
+    fn of_file(&self, config: &LintConfig, name: Option<&str>) -> Option<Arc<Settings>> {
+        let matching = match name {
+            Some(name) if !self.uses.is_empty() => self.globs.matching(config.relative(name)),
+            _ => Vec::new(),
+        };
+        if matching.is_empty() {
+            return Some(Arc::clone(&self.general));
+        }
+        let mut overrides = Vec::new();
         let mut ignored = RuleSet::default();
-        for ((glob, _), rules) in config.per_file_ignores.0.iter().zip(&self.ignores) {
-            if config.matches(glob, name) {
-                ignored.add(*rules);
+        for usage in matching.iter().filter_map(|place| self.uses.get(*place)) {
+            match *usage {
+                Use::Exclude => return None,
+                Use::Override(place) => overrides.push(place),
+                Use::Ignore(place) => ignored.add(self.ignores.get(place).copied().unwrap_or_default()),
             }
         }
-        if overrides.is_empty() && ignored.is_empty() {
-            return Arc::clone(&self.general);
-        }
-        let layers: Vec<&Layer> = [&self.lint].into_iter().chain(overrides).chain([&self.command_line]).collect();
-        Arc::new(resolve(&layers, ignored))
+        // What another thread was doing when it panicked does no harm here: the map only ever grows.
+        let mut special = self.special.lock().unwrap_or_else(PoisonError::into_inner);
+        let settings = special.entry(matching).or_insert_with(|| {
+            overrides.dedup();
+            let overrides = overrides.iter().filter_map(|place| self.overrides.get(*place));
+            let layers: Vec<&Layer> = [&self.lint].into_iter().chain(overrides).chain([&self.command_line]).collect();
+            Arc::new(resolve(&layers, ignored))
+        });
+        Some(Arc::clone(settings))
     }
+}
+
+/// All patterns of a configuration; those of one override stand together.
+pub(crate) fn patterns(config: &LintConfig) -> impl Iterator<Item = (&FileGlob, Use)> {
+    let exclude = config.exclude.iter().map(|glob| (glob, Use::Exclude));
+    let overrides = config.overrides.iter().enumerate();
+    let overrides = overrides.flat_map(|(place, part)| part.files.iter().map(move |glob| (glob, Use::Override(place))));
+    let ignores = config.per_file_ignores.0.iter().enumerate();
+    exclude.chain(overrides).chain(ignores.map(|(place, (glob, _))| (glob, Use::Ignore(place))))
 }
 
 fn union(selectors: &[String]) -> RuleSet {

@@ -46,7 +46,7 @@ fn repair(text: &str, boldest: Applicability) -> Repaired {
     Repaired { text: sources.remove(0).text, outcome, errors: [before, refused(&db)] }
 }
 
-/// The programs as the controller lists them, without remarks and parentheses; `None` when they do not compile. What
+/// The programs as the controller lists them, without remarks, parentheses and blanks; `None` when they do not compile. What
 /// fixes put in parentheses, they put in them as a whole.
 fn listing(text: &str) -> Option<Vec<String>> {
     let image: Image = project(text).compile().ok()?;
@@ -56,7 +56,7 @@ fn listing(text: &str) -> Option<Vec<String>> {
     for text in texts {
         for line in text.lines() {
             let code = line.split("REM").next().unwrap_or_default().trim_end_matches([' ', ':']).trim_end();
-            lines.push(code.replace(['(', ')'], ""));
+            lines.push(code.replace(['(', ')', ' '], ""));
         }
     }
     Some(lines)

@@ -1,7 +1,7 @@
 //! Patterns of file names in `acrc.toml`.
 
 use camino::Utf8Path;
-use globset::{GlobBuilder, GlobMatcher};
+use globset::{Glob, GlobBuilder, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 
 /// A pattern such as `Prog1*.8K`, `src/*.8K` or `legacy/**`. Without a slash it is about the name of a file wherever it
@@ -10,29 +10,45 @@ use serde::Deserialize;
 #[serde(try_from = "String")]
 pub struct FileGlob {
     pattern: String,
-    matcher: GlobMatcher,
-    whole_path: bool,
+    glob: Glob,
 }
 
 impl FileGlob {
     /// Reads a pattern.
     pub fn new(pattern: &str) -> Result<Self, String> {
-        let invalid = |error: globset::Error| format!("`{pattern}` is no pattern of files: {}", error.kind());
-        let written = pattern.strip_prefix("./").unwrap_or(pattern);
-        let glob = GlobBuilder::new(written).literal_separator(true).backslash_escape(false).build();
-        let matcher = glob.map_err(invalid)?.compile_matcher();
-        Ok(Self { pattern: pattern.to_owned(), matcher, whole_path: written.contains('/') })
-    }
-
-    /// Whether a path, relative to the folder of `acrc.toml`, is meant.
-    pub fn matches(&self, path: &Utf8Path) -> bool {
-        let path = if self.whole_path { path } else { path.file_name().map_or(path, Utf8Path::new) };
-        self.matcher.is_match(path)
+        let path = pattern.strip_prefix("./").unwrap_or(pattern);
+        let path = if path.contains('/') { path.to_owned() } else { format!("**/{path}") };
+        let glob = GlobBuilder::new(&path).literal_separator(true).backslash_escape(false).build();
+        let glob = glob.map_err(|error| format!("`{pattern}` is no pattern of files: {}", error.kind()))?;
+        Ok(Self { pattern: pattern.to_owned(), glob })
     }
 
     /// As it was written.
     pub fn as_str(&self) -> &str {
         &self.pattern
+    }
+}
+
+/// Patterns that are compared with a path all at once.
+#[derive(Clone, Debug, Default)]
+pub struct FileGlobs(GlobSet);
+
+impl FileGlobs {
+    /// Puts patterns together.
+    ///
+    /// # Errors
+    /// They are too long together.
+    pub fn new<'g>(patterns: impl IntoIterator<Item = &'g FileGlob>) -> Result<Self, String> {
+        let mut set = GlobSetBuilder::new();
+        for pattern in patterns {
+            set.add(pattern.glob.clone());
+        }
+        set.build().map(Self).map_err(|error| format!("the patterns of files can't be used together: {}", error.kind()))
+    }
+
+    /// Places, in order, of the patterns that mean a path, which is relative to the folder of `acrc.toml`.
+    pub fn matching(&self, path: &Utf8Path) -> Vec<usize> {
+        self.0.matches(path)
     }
 }
 
@@ -71,7 +87,8 @@ mod tests {
             ("[ab].8K", "b.8K", true),
         ] {
             let glob = FileGlob::new(pattern).expect("a pattern");
-            assert_eq!(glob.matches(Utf8Path::new(path)), expected, "{pattern} {path}");
+            let matching = FileGlobs::new([&glob]).expect("a short pattern").matching(Utf8Path::new(path));
+            assert_eq!(!matching.is_empty(), expected, "{pattern} {path}");
         }
     }
 

@@ -144,15 +144,10 @@ impl FailOn {
 }
 
 impl LintConfig {
-    /// Whether a pattern means the file at `path`, which is the path as it is shown.
-    pub fn matches(&self, glob: &FileGlob, path: &str) -> bool {
+    /// The path of a file as patterns see it. `path` is the one that is shown.
+    pub fn relative<'p>(&self, path: &'p str) -> &'p Utf8Path {
         let path = Utf8Path::new(path);
-        glob.matches(path.strip_prefix(&self.root).unwrap_or(path))
-    }
-
-    /// Whether a file is left out of the check.
-    pub fn excludes(&self, path: &str) -> bool {
-        self.exclude.iter().any(|glob| self.matches(glob, path))
+        path.strip_prefix(&self.root).unwrap_or(path)
     }
 }
 

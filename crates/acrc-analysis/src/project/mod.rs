@@ -24,7 +24,7 @@ pub use config::{
 };
 pub use error::LoadError;
 pub use files::{Disk, FileKind, Files};
-pub use glob::FileGlob;
+pub use glob::{FileGlob, FileGlobs};
 pub use lint_config::{FailOn, FileIgnores, Level as LintLevel, LintConfig, Override, Prepared, Selection};
 pub use overlay::Overlay;
 pub use search::{Search, owner, search};

@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 
-use acrc_analysis::project::{BlockEnds, FmtConfig, KeywordCase, LoadedProject};
+use acrc_analysis::project::{BlockEnds, FileGlobs, FmtConfig, KeywordCase, LoadedProject};
 use acrc_diagnostics::{Fix, LineIndex, apply, unified_diff};
 use acrc_fmt::renumber::Source;
 use acrc_syntax::SourceText;
@@ -80,9 +80,10 @@ impl Run<'_> {
             Some(numbering) => renumber(project, numbering)?,
             None => project.files.iter().map(|file| file.source.text.clone()).collect(),
         };
+        let exclude = FileGlobs::new(&config.exclude).map_err(anyhow::Error::msg)?;
         let mut formatted = Vec::with_capacity(texts.len());
         for ((file, text), meant) in project.files.iter().zip(texts).zip(target.meant(project)) {
-            let excluded = config.exclude.iter().any(|glob| project.config.lint.matches(glob, file.path.as_str()));
+            let excluded = !exclude.matching(project.config.lint.relative(file.path.as_str())).is_empty();
             if !meant || excluded {
                 if text != file.source.text {
                     bail!("{} has numbered lines of the same programs: name the whole project", display(&file.path));

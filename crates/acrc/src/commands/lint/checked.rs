@@ -1,6 +1,6 @@
 //! A project with what was found in it.
 
-use acrc_analysis::project::{LoadedProject, Selection};
+use acrc_analysis::project::{FileGlobs, LoadedProject, Selection};
 use acrc_analysis::{Database, Project, SourceFile as Input};
 use acrc_diagnostics::{Diagnostic, FileReport, SourceFile};
 
@@ -28,8 +28,10 @@ impl Checked {
         let input = project.add_to(&db);
         let names = project.files.iter().map(|file| display(&file.path)).collect();
         let lint = &project.config.lint;
+        let exclude = FileGlobs::new(&lint.exclude).unwrap_or_default();
+        let is_excluded = |path: &str| !exclude.matching(lint.relative(path)).is_empty();
         let shown = target.meant(&project).into_iter().zip(&project.files);
-        let shown = shown.map(|(meant, file)| meant && !lint.excludes(file.path.as_str())).collect();
+        let shown = shown.map(|(meant, file)| meant && !is_excluded(file.path.as_str())).collect();
         let mut checked = Self { shown, project, db, input, names, found: Vec::new() };
         checked.take(acrc_lint::check_in_parallel(&checked.db, input));
         checked
