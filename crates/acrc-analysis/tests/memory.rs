@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use acrc_analysis::memory::{Calls, Report, SystemBlock, project_memory, report, text_bytes};
+use acrc_analysis::memory::{Calls, Report, SectionBytes, SystemBlock, project_memory, report, text_bytes};
 use acrc_analysis::project::{Config, LoadedFile, LoadedProject};
 use acrc_analysis::{Database, FileRole, SourceFile};
 use acrc_catalog::{CommandId, command};
@@ -164,7 +164,7 @@ fn assert_counts(text: &str) -> Result<bool, TestCaseError> {
     let db = Database::new();
     let input = project.add_to(&db);
     let sections = text_bytes(&db, input.files(&db)[0]);
-    let counted: Vec<u64> = sections.iter().filter(|s| !s.statements.is_empty()).map(|s| s.total()).collect();
+    let counted: Vec<u64> = sections.iter().filter(|s| !s.statements.is_empty()).map(SectionBytes::total).collect();
     let stored: Vec<u64> =
         image.programs.iter().map(|unit| u64::from(unit.memory())).filter(|bytes| *bytes > 0).collect();
     prop_assert_eq!(counted, stored, "{}", text);
@@ -211,12 +211,9 @@ proptest! {
 
     #[test]
     fn bytes_of_a_text_are_those_of_its_image(lines in proptest::collection::vec(statement(), 0..30), numbered in any::<bool>()) {
-        let mut text = String::from("PROG0\nPROGRAM\n");
-        for (place, line) in lines.iter().enumerate() {
-            let number = if numbered { format!("{}0 ", place + 1) } else { String::new() };
-            text.push_str(&format!("{number}{line}\n"));
-        }
-        text.push_str("ENDP\n");
+        let number = |place: usize| if numbered { format!("{}0 ", place + 1) } else { String::new() };
+        let lines: Vec<_> = lines.iter().enumerate().map(|(place, line)| number(place) + line).collect();
+        let text = format!("PROG0\nPROGRAM\n{}\nENDP\n", lines.join("\n"));
         // A label may be there twice by chance.
         prop_assume!(assert_counts(&text)?);
     }

