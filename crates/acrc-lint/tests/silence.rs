@@ -81,3 +81,28 @@ fn a_whole_project() {
     let files = [("Setup.8K", setup), ("Prog0.8K", motion), ("Prog1.8K", watch)];
     assert_eq!(complaints(&files), Vec::<String>::new());
 }
+
+#[test]
+fn memory_as_it_is_given_in_the_field() {
+    // The wizard's order; sizes without parentheses; stream buffers; a text that is entered again.
+    assert_silent(
+        "SYS\nHALT ALL\nNEW ALL\nCLEAR\nDETACH ALL\nDIM PROG0(1000)\nDIM PROG1 (500)\nDIM P (200)\nDIM DEF(2)\n\
+         DIM COM1(1024)\nDIM STREAM2(2048)\n#DEFINE Speed P199\n#DEFINE Index LV3\nPROG0\nPROGRAM\nSET 32\nENDP\n\
+         PROG1\nDIM LV(4)\nPROGRAM\nIndex = Speed\nENDP\nPROG0\nNEW\nPROGRAM\nCLR 32\nENDP\n",
+    );
+    // Memory was given by hand, once and for all.
+    assert_silent("PROG3\nPROGRAM\nLV0 = P5 : DA0(3) = 1\n$V0 = \"text\"\nENDP\n");
+    // Variables are dimensioned at the prompt, and anew whenever the program runs.
+    assert_silent("PROG0\nCLEAR\nDIM LV(2)\nPROGRAM\nCLEAR\nDIM LV(8)\nDIM DV(2)\nLV7 = DV1\nENDP\n");
+    // What a subroutine dimensions after the main program asked for its size.
+    assert_silent(
+        "PROG0\nPROGRAM\nCLEAR\nDIM LV(2)\nDIM DA(1)\nGOSUB Ask\nFOR LV0 = 0 TO LV1 - 1\nDA0(LV0) = 0\nNEXT\nEND\n\
+         _Ask\nINPUT \"points? \"; LV1\nDIM DA0(LV1)\nRETURN\nENDP\n",
+    );
+    // A ring, a table of rows, and a loop that ends before its bound.
+    assert_silent(
+        "PROG0\nPROGRAM\nCLEAR\nDIM LV(3)\nDIM LA(1)\nDIM LA0(12)\nWHILE (BIT 1)\nLA0(LV2 MOD 12) = P12290\n\
+         LV2 = LV2 + 1\nWEND\nFOR LV0 = 0 TO 3\nFOR LV1 = 0 TO 2\nLA0(LV0 * 3 + LV1) = 0\nNEXT\nNEXT\n\
+         FOR LV0 = 1 TO 12 STEP 4\nLA0(LV0) = LA0(LV0 - 1)\nNEXT\nENDP\n",
+    );
+}
