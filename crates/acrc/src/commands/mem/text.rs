@@ -62,7 +62,8 @@ impl Page {
         } else {
             full
         };
-        let _ = writeln!(text, "{INDENT}{full}{}{share}", self.terminal.faint(&empty));
+        let empty = if empty.is_empty() { empty } else { self.terminal.faint(&empty) };
+        let _ = writeln!(text, "{}", format!("{INDENT}{full}{empty}{share}").trim_end());
     }
 
     /// A name, a number, and what is to be said of it.
@@ -214,12 +215,12 @@ fn system_remark(report: &Report, line: &SystemLine) -> String {
         SystemBlock::Parameters => report.parameters.count,
         _ => return String::new(),
     };
-    let what = if line.block == SystemBlock::Aliases {
-        format!("{} defined", grouped(used))
-    } else if report.parameters.computed {
-        "numbers are computed".to_owned()
-    } else {
-        format!("{} needed", grouped(used))
+    let what = match (line.block, used) {
+        (SystemBlock::Aliases, 0) => "none defined".to_owned(),
+        (SystemBlock::Aliases, used) => format!("{} defined", grouped(used)),
+        _ if report.parameters.computed => "numbers are computed".to_owned(),
+        (_, 0) => "none used".to_owned(),
+        (_, used) => format!("{} needed", grouped(used)),
     };
     match line.bytes {
         Some(_) => what,
