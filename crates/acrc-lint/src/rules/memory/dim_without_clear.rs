@@ -29,8 +29,13 @@ fn check(context: &mut Context<'_>) {
         let IssueKind::NotCleared(block) = kind else { continue };
         let span = sites::span(context, site);
         let message = format!("a second RUN may find that {block} has memory already");
-        let line_begins = context.text().get(..span.start as usize).is_some_and(|before| before.ends_with('\n'));
-        let clear = if line_begins { "CLEAR\n" } else { "CLEAR : " };
+        let before = context.text().get(..span.start as usize).unwrap_or_default();
+        // The line break is that of the line before.
+        let clear = match before {
+            line if line.ends_with("\r\n") => "CLEAR\r\n",
+            line if line.ends_with('\n') => "CLEAR\n",
+            _ => "CLEAR : ",
+        };
         let fix = Fix::unsafe_("clear the variables first", vec![Edit::insert(span.start, clear)]);
         context.report(RULE.at(span, message).with_help("CLEAR before the first DIM of the program").with_fix(fix));
     }
@@ -60,5 +65,13 @@ mod tests {
         let fixed = apply(text, &[&found[0].fixes[0]]).expect("a fix of one edit");
         assert_eq!(fixed, "PROG0\nPROGRAM\nCLEAR\nDIM LV(2)\nENDP\n");
         assert_eq!(lint(&[("test.8K", &fixed)]).concat(), []);
+    }
+
+    #[test]
+    fn the_repair_keeps_line_breaks() {
+        let text = "PROG0\r\nPROGRAM\r\nDIM LV(2)\r\nENDP\r\n";
+        let found = lint(&[("test.8K", text)]).concat();
+        let fixed = apply(text, &[&found[0].fixes[0]]).expect("a fix of one edit");
+        assert_eq!(fixed, "PROG0\r\nPROGRAM\r\nCLEAR\r\nDIM LV(2)\r\nENDP\r\n");
     }
 }
