@@ -3,8 +3,8 @@
 use super::{Bench, lint};
 
 const MESSY: &str =
-    "PROG0\r\nPROGRAM\r\nDIM LV10\r\nSET 32 ' \u{e4}\r\nIF BIT 5 THEN SET 33 REM x\r\n_A\r\nGOTO a\r\nENDP\r\n";
-const CLEAN: &str = "PROG0\r\nPROGRAM\r\nDIM LV(10)\r\nSET 32 : REM \u{e4}\r\nIF (BIT 5) THEN SET 33 : REM x\r\n_A\r\nGOTO a\r\nENDP\r\n";
+    "PROG0\r\nPROGRAM\r\nCLEAR : DIM LV10\r\nSET 32 ' \u{e4}\r\nIF BIT 5 THEN SET 33 REM x\r\n_A\r\nGOTO a\r\nENDP\r\n";
+const CLEAN: &str = "PROG0\r\nPROGRAM\r\nCLEAR : DIM LV(10)\r\nSET 32 : REM \u{e4}\r\nIF (BIT 5) THEN SET 33 : REM x\r\n_A\r\nGOTO a\r\nENDP\r\n";
 
 /// A text in some encoding.
 fn encoded(text: &str, encoding: &str) -> Vec<u8> {
@@ -46,7 +46,11 @@ fn a_difference_is_shown_and_nothing_written() {
     bench.file("m.8K", MESSY);
     let run = bench.acrc(["lint", "m.8K", "--diff"]).expect(1);
     assert!(run.stdout.starts_with("--- m.8K\n+++ m.8K\n@@ -1,8 +1,8 @@\n PROG0\r\n"), "{}", run.stdout);
-    assert!(run.stdout.contains("-DIM LV10\r\n") && run.stdout.contains("+DIM LV(10)\r\n"), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("-CLEAR : DIM LV10\r\n") && run.stdout.contains("+CLEAR : DIM LV(10)\r\n"),
+        "{}",
+        run.stdout
+    );
     assert_eq!(run.stderr, "4 findings in 1 file would be repaired\n");
     assert_eq!(bench.read("m.8K"), MESSY.as_bytes());
     bench.file("m.8K", CLEAN);
@@ -69,16 +73,16 @@ fn standard_input_is_repaired_to_standard_output() {
 fn what_cannot_be_written_is_named_and_the_rest_is_written() {
     use std::os::unix::fs::PermissionsExt as _;
     let bench = Bench::new();
-    let locked = bench.file("Prog0.8K", "PROGRAM\nDIM LV10\nENDP\n");
-    let open = bench.file("Prog1.8K", "PROGRAM\nDIM LV10\nENDP\n");
+    let locked = bench.file("Prog0.8K", "PROGRAM\nCLEAR : DIM LV10\nENDP\n");
+    let open = bench.file("Prog1.8K", "PROGRAM\nCLEAR : DIM LV10\nENDP\n");
     let mode = |path: &std::path::Path, mode| std::fs::set_permissions(path, std::fs::Permissions::from_mode(mode));
     mode(&locked, 0o444).expect("a file of ours");
     mode(&open, 0o755).expect("a file of ours");
     let run = bench.acrc(["lint", ".", "--fix"]).expect(2);
     assert!(run.stderr.contains("cannot write Prog0.8K: it is read-only"), "{}", run.stderr);
     assert!(run.stdout.contains("1 fixed"), "{}", run.stdout);
-    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nDIM LV10\nENDP\n");
-    assert_eq!(bench.read("Prog1.8K"), b"PROGRAM\nDIM LV(10)\nENDP\n");
+    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nCLEAR : DIM LV10\nENDP\n");
+    assert_eq!(bench.read("Prog1.8K"), b"PROGRAM\nCLEAR : DIM LV(10)\nENDP\n");
     let permissions = std::fs::metadata(open).expect("there").permissions();
     assert_eq!(permissions.mode() & 0o777, 0o755, "permissions are kept");
 }
@@ -86,17 +90,17 @@ fn what_cannot_be_written_is_named_and_the_rest_is_written() {
 #[test]
 fn only_what_is_named_and_heard_is_repaired() {
     let bench = Bench::new();
-    bench.file("Prog0.8K", "PROGRAM\nDIM LV10\nSET 32 REM x\nENDP\n");
-    bench.file("Prog1.8K", "PROGRAM\nDIM LV10\nENDP\n");
+    bench.file("Prog0.8K", "PROGRAM\nCLEAR : DIM LV10\nSET 32 REM x\nENDP\n");
+    bench.file("Prog1.8K", "PROGRAM\nCLEAR : DIM LV10\nENDP\n");
     assert_eq!(lint(&bench, &["Prog0.8K", "--fix", "--ignore", "ACR003"]), [""; 0]);
-    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nDIM LV(10)\nSET 32 REM x\nENDP\n");
-    assert_eq!(bench.read("Prog1.8K"), b"PROGRAM\nDIM LV10\nENDP\n");
+    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nCLEAR : DIM LV(10)\nSET 32 REM x\nENDP\n");
+    assert_eq!(bench.read("Prog1.8K"), b"PROGRAM\nCLEAR : DIM LV10\nENDP\n");
 }
 
 #[test]
 fn a_repaired_machine_runs_as_before() {
     let setup = "DIM P10\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nACC 10 DEC 10 STP 10 VEL 5\n";
-    let body = "PROGRAM\nDIM LV10\nP0 = 2 \u{2013} 1.5\nP1 = 0.25\n' acrc: allow(undefined-label)\nDWL P1 ' wait\n_ Go\n\
+    let body = "PROGRAM\nCLEAR : DIM LV10\nP0 = 2 \u{2013} 1.5\nP1 = 0.25\n' acrc: allow(undefined-label)\nDWL P1 ' wait\n_ Go\n\
                 IF NOT BIT 24 THEN X5 REM out\nWHILE LV0 < 3\nLV0 = LV0 + 1 : SET 32 : DWL P1 : REM acrc: allow(ACR103)\nCLR 32\nWEND\n\
                 PRINT \u{201c}at \u{201d}; P12288\nX0\nENDP\n";
     let bench = Bench::new();

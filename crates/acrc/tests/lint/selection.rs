@@ -62,7 +62,7 @@ fn a_severity_is_what_the_project_says() {
     let bench = project("[lint]\nfail-on = \"error\"\n[lint.severity]\nflow = \"advice\"\nACR007 = \"error\"\n");
     let run = bench.acrc(["lint", "--format", "concise"]).expect(1);
     assert!(run.stdout.contains("Prog0.8K:3:6: advice[ACR101]"), "{}", run.stdout);
-    assert!(run.stdout.contains("Prog0.8K:4:7: error[ACR007]"), "{}", run.stdout);
+    assert!(run.stdout.contains("Prog0.8K:4:15: error[ACR007]"), "{}", run.stdout);
     bench.acrc(["lint", "--ignore", "ACR007"]).expect(0);
     bench.acrc(["lint", "--ignore", "ACR007", "--fail-on", "advice"]).expect(1);
 }
@@ -115,7 +115,7 @@ fn comments_suppress_findings() {
         ("' acrc: allow(ACR021)\nSET 32\n", &["t.8K:1 ACR902"]),
         ("' acrc: permit(ACR101)\nSET 32\n", &["t.8K:1 ACR902"]),
         ("' acrc: fmt off\n' about acrc: allow(\nSET 32\n", &[]),
-        ("' acrc: allow(ACR101)\n' acrc: allow(ACR007)\nDIM LV10 : GOTO A\n", &[]),
+        ("' acrc: allow(ACR101)\n' acrc: allow(ACR007)\nCLEAR : DIM LV10 : GOTO A\n", &[]),
         ("' acrc: allow(ACR101)\nGOTO A : REM acrc: allow(ACR101)\n", &["t.8K:1 ACR901"]),
         ("' acrc: allow-file(ACR101, ACR901)\n' acrc: allow(ACR103)\nGOTO A\n", &[]),
         ("' acrc: allow(ACR101)\nGOTO A(\n' acrc: allow-file(ACR103)\n", &["t.8K:2 ACR001"]),
