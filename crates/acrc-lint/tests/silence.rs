@@ -90,8 +90,8 @@ fn memory_as_it_is_given_in_the_field() {
          DIM COM1(1024)\nDIM STREAM2(2048)\n#DEFINE Speed P199\n#DEFINE Index LV3\nPROG0\nPROGRAM\nSET 32\nENDP\n\
          PROG1\nDIM LV(4)\nPROGRAM\nIndex = Speed\nENDP\nPROG0\nNEW\nPROGRAM\nCLR 32\nENDP\n",
     );
-    // Memory was given by hand, once and for all.
-    assert_silent("PROG3\nPROGRAM\nLV0 = P5 : DA0(3) = 1\n$V0 = \"text\"\nENDP\n");
+    // The system memory was given by hand, once and for all.
+    assert_silent("PROG13\nPROGRAM\nP6 = P5\nENDP\n");
     // Variables are dimensioned at the prompt, and anew whenever the program runs.
     assert_silent("PROG0\nCLEAR\nDIM LV(2)\nPROGRAM\nCLEAR\nDIM LV(8)\nDIM DV(2)\nLV7 = DV1\nENDP\n");
     // What a subroutine dimensions after the main program asked for its size.

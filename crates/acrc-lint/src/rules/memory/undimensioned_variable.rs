@@ -2,7 +2,7 @@
 
 use acrc_analysis::memory::LocalBlock;
 use acrc_diagnostics::{Code, Diagnostic, Severity};
-use acrc_syntax::ast::Expr;
+use acrc_syntax::ast::{Expr, ExprKind};
 use acrc_syntax::units::SectionKind;
 
 use super::operands::{self, Index, Room};
@@ -59,10 +59,11 @@ fn check(context: &mut Context<'_>, expr: &Expr) {
         let written = context.slice(place.span);
         let what = match (place.room, place.index) {
             (Room::Elements(class, array), _) => format!("{class}{array} has no elements: {program} has no {dim}(n)"),
-            (_, Index::Number(number)) if written.eq_ignore_ascii_case(&format!("{class}{number}")) => {
-                format!("{written} has no memory: {program} has no {dim}(n)")
+            (_, Index::Number(number)) if matches!(expr.kind, ExprKind::Alias) => {
+                format!("`{written}` ({class}{number}) has no memory: {program} has no {dim}(n)")
             }
-            _ => format!("`{written}` is one of {class}, which have no memory: {program} has no {dim}(n)"),
+            (_, Index::Number(number)) => format!("{class}{number} has no memory: {program} has no {dim}(n)"),
+            (_, Index::Computed(_)) => format!("{written} has no memory: {program} has no {dim}(n)"),
         };
         let help = match place.index {
             Index::Number(number) => format!("{dim}({}) at its prompt or at its beginning", number.saturating_add(1)),
@@ -112,6 +113,7 @@ mod tests {
         let text = |dims: &str| format!("PROG0\nDIM LV(1)\n{dims}PROGRAM\nLA0(LV0)=1\nENDP\n");
         let found = found_by("ACR405", &text(""));
         assert_eq!(found.len(), 1, "{found:#?}");
+        assert_eq!(found[0].message, "LA0 has no memory: program 0 has no DIM LA(n)");
         let found = found_by("ACR405", &text("DIM LA(1)\n"));
         assert_eq!(found[0].message, "LA0 has no elements: program 0 has no DIM LA0(n)");
         assert_eq!(codes(&text("DIM LA(1)\nDIM LA0(5)\n")), []);
