@@ -41,7 +41,7 @@ fn program(number: usize) -> String {
             "REM --- station {step} ---\n_Step{step}\nX/{step}.5 : REM to the station\nINH -{in_motion}\nSET Clamp{letter}\n\
              DWL 0.25\nCLR Clamp{letter} : SET {output}\nCount{letter} = Count{letter} + 1\n\
              IF (Count{letter} > 100) THEN PRINT \"station {step} is full\" : GOTO Full{step}\n\
-             IF ((BIT {input} AND NOT BIT 5) OR P{value} <= 1.5)\n    P{value} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    \
+             IF ((BIT {input} AND NOT BIT 25) OR P{value} <= 1.5)\n    P{value} = (P1 * 2 + SQRT(P2)) / 3\nELSE\n    \
              JOG VEL X25\nENDIF\nWHILE (P{counter} < 10)\n    P{counter} = P{counter} + 1\nWEND\n\
              _Full{step}\nGOSUB Step{next}\nRETURN\n\n",
         );
