@@ -1,10 +1,13 @@
 //! Questions about a project with places in the answers: the ground for navigation, references and reports.
 
+use acrc_catalog::{CommandId, ObjectKind, OperandClass, command};
 use acrc_diagnostics::Span;
+use acrc_syntax::ast::{Argument, Command, Statement, StatementKind};
 use acrc_syntax::units::Level;
 
 use crate::index::{AttachmentKind, Name};
-use crate::query::{exports, file_index, symbols};
+use crate::query::{exports, file_index, parse, symbols};
+use crate::references::{self, Reference};
 use crate::symbols::{AliasSymbol, AxisTable};
 use crate::{Db, Project, SourceFile};
 
@@ -55,6 +58,96 @@ pub fn aliases(db: &dyn Db, project: Project) -> &[AliasSymbol] {
 /// The axis names that are valid in the program of `level`. `None` when nothing attaches an axis there.
 pub fn axis_names(db: &dyn Db, project: Project, level: Level) -> Option<&AxisTable> {
     symbols(db, project).axes_at(level)
+}
+
+/// A statement that reads or writes a parameter or bit of the whole controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Access {
+    /// Its file.
+    pub file: SourceFile,
+    /// The level of its section.
+    pub level: Level,
+    /// What it accesses, where, and how.
+    pub reference: Reference,
+}
+
+/// Who reads and who writes the parameters and bits of the controller, through aliases and constants too, in the order of
+/// the files. Numbers that are computed when a program runs are not known.
+pub fn accesses(db: &dyn Db, project: Project) -> Vec<Access> {
+    let symbols = symbols(db, project);
+    let mut found = Vec::new();
+    let mut references = Vec::new();
+    for &file in project.files(db) {
+        let text = file.text(db);
+        let alias_at = |span: Span| Some(symbols.alias(text.get(span.range())?)?.operand.target);
+        each_statement(db, file, &mut |level, statement| {
+            references::collect(&alias_at, statement, &mut references);
+            let global = references.iter().filter(|reference| GLOBAL.contains(&reference.class));
+            found.extend(global.map(|&reference| Access { file, level, reference }));
+        });
+    }
+    found
+}
+
+/// The operands that all programs share.
+const GLOBAL: [OperandClass; 2] = [OperandClass::Parameter, OperandClass::Bit];
+
+/// A statement that starts or stops programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProgramOrder {
+    /// Its file.
+    pub file: SourceFile,
+    /// Its place.
+    pub span: Span,
+    /// The level at which it stands.
+    pub from: Level,
+    /// What is ordered: [`command::RUN`], [`command::HALT`], ...
+    pub order: CommandId,
+    /// The program that is meant. `None` for `ALL`.
+    pub to: Option<Level>,
+}
+
+/// Which programs start, stop, hold and resume which, in the order of the files.
+pub fn program_orders(db: &dyn Db, project: Project) -> Vec<ProgramOrder> {
+    let mut found = Vec::new();
+    for &file in project.files(db) {
+        each_statement(db, file, &mut |from, statement| {
+            let StatementKind::Command(command) = &statement.kind else { return };
+            if ORDERS.contains(&command.id) {
+                let to = ordered(command, from);
+                found.push(ProgramOrder { file, span: statement.span, from, order: command.id, to });
+            }
+        });
+    }
+    found
+}
+
+const ORDERS: [CommandId; 5] = [command::RUN, command::LRUN, command::HALT, command::PAUSE, command::RESUME];
+
+/// The program that an order means: the one that it names, or its own.
+fn ordered(order: &Command, from: Level) -> Option<Level> {
+    match order.arguments.first() {
+        Some(Argument::Object(object)) => {
+            let number = object.index.and_then(|index| u8::try_from(index).ok())?;
+            match object.kind {
+                ObjectKind::Prog => Some(Level::Program(number)),
+                ObjectKind::Plc => Some(Level::Plc(number)),
+                _ => None,
+            }
+        }
+        Some(_) => None,
+        None => Some(from),
+    }
+}
+
+fn each_statement(db: &dyn Db, file: SourceFile, visit: &mut dyn FnMut(Level, &Statement)) {
+    let tree = parse(db, file);
+    for section in &file_index(db, file).sections {
+        let range = section.section.statements.start as usize..section.section.statements.end as usize;
+        for statement in tree.statements().get(range).unwrap_or_default() {
+            visit(section.section.level, statement);
+        }
+    }
 }
 
 fn alias_definitions(db: &dyn Db, file: SourceFile) -> Vec<Definition> {

@@ -21,6 +21,7 @@ mod near;
 pub mod parallel;
 pub mod project;
 pub mod query;
+pub mod references;
 mod role;
 mod symbols;
 mod usage;

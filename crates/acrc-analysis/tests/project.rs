@@ -205,6 +205,43 @@ fn facts_answer_with_places() {
 }
 
 #[test]
+fn facts_tell_who_reads_and_writes() {
+    let place = Place::new(&[
+        ("Setup.8K", "#DEFINE Clamp BIT32\nP(4096+8) = 1\nPROG0\nRUN\n"),
+        (
+            "Prog0.8K",
+            "PROGRAM\nSET Clamp\nINH -516\nIF (Clamp) THEN P5 = P6 + LV0\nP(LV1) = 2\nHALT PLC2\nHALT ALL\nENDP\n",
+        ),
+    ]);
+    let db = Database::new();
+    let project = place.load().expect("a project").add_to(&db);
+    let shown =
+        |access: &facts::Access| format!("{} {} {:?}", access.level, access.reference.name(), access.reference.usage);
+    let all: Vec<_> = facts::accesses(&db, project).iter().map(shown).collect();
+    assert_eq!(
+        all,
+        [
+            "SYS bit 32 Define",
+            "SYS P4104 Write",
+            "PROG0 bit 32 Write",
+            "PROG0 bit 516 Wait { set: false }",
+            "PROG0 bit 32 Read",
+            "PROG0 P5 Write",
+            "PROG0 P6 Read",
+        ]
+    );
+    let orders: Vec<_> = facts::program_orders(&db, project)
+        .iter()
+        .map(|order| (order.from, order.order.info().name, order.to))
+        .collect();
+    let program = Level::Program(0);
+    assert_eq!(
+        orders,
+        [(program, "RUN", Some(program)), (program, "HALT", Some(Level::Plc(2))), (program, "HALT", None)]
+    );
+}
+
+#[test]
 fn a_project_compiles() {
     let place = Place::new(&[
         ("Setup.8K", "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n"),
