@@ -98,6 +98,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &memory::oversized_dim::RULE,
     &memory::array_reference_count::RULE,
     &memory::dim_in_wrong_level::RULE,
+    &memory::undimensioned_move_buffer::RULE,
     &motion::slave_before_master::RULE,
     &motion::master_in_two_programs::RULE,
     &motion::second_master::RULE,

@@ -146,14 +146,16 @@ impl Player {
                 let extent = Extent::of(size);
                 *known = Some(known.map_or(extent, |known| known.join(extent)));
             }
-            EventKind::Dim(Block::Local(..), _) => match result.locals.iter_mut().find(|(at, _)| *at == event.level) {
-                Some((_, dims)) => dims.add(event),
-                None => {
-                    let mut dims = LocalDims::default();
-                    dims.add(event);
-                    result.locals.push((event.level, dims));
+            EventKind::Dim(Block::Local(..) | Block::Moves, _) => {
+                match result.locals.iter_mut().find(|(at, _)| *at == event.level) {
+                    Some((_, dims)) => dims.add(event),
+                    None => {
+                        let mut dims = LocalDims::default();
+                        dims.add(event);
+                        result.locals.push((event.level, dims));
+                    }
                 }
-            },
+            }
             EventKind::Clear => result.managed |= event.level == Level::System,
             _ => {}
         }

@@ -14,5 +14,6 @@ mod sites;
 pub(crate) mod string_too_long;
 pub(crate) mod system_memory_exceeded;
 pub(crate) mod too_many_aliases;
+pub(crate) mod undimensioned_move_buffer;
 pub(crate) mod undimensioned_parameters;
 pub(crate) mod undimensioned_variable;
