@@ -3,7 +3,7 @@
 use acrc_analysis::AliasFact;
 use acrc_analysis::index::AliasTarget;
 use acrc_analysis::walk;
-use acrc_catalog::{OperandClass, command, function};
+use acrc_catalog::{OperandClass, Operator, command, function};
 use acrc_diagnostics::Span;
 use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
 
@@ -117,6 +117,12 @@ pub(crate) fn same_text(context: &Context<'_>, a: Span, b: Span) -> bool {
             let (a, b) = (context.slice(a.span), context.slice(b.span));
             a == b || (a.eq_ignore_ascii_case(b) && acrc_catalog::word(a).is_some())
         })
+}
+
+/// Whether an operator compares its two sides.
+pub(crate) fn is_relation(operator: Operator) -> bool {
+    use Operator::{Eq, Ge, Gt, Le, Lt, Ne};
+    matches!(operator, Eq | Ne | Lt | Gt | Le | Ge)
 }
 
 /// The condition of an `IF`, `ELSEIF` or `WHILE`.

@@ -135,6 +135,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &style::self_assignment::RULE,
     &style::mixed_and_or::RULE,
     &style::float_equality::RULE,
+    &style::identical_operands::RULE,
     &suppressions::unused_suppression::RULE,
     &suppressions::unknown_suppression::RULE,
 ];

@@ -6,7 +6,7 @@ use acrc_diagnostics::{Code, Diagnostic, Severity};
 use acrc_syntax::ast::{Expr, ExprKind, Statement, StatementKind};
 
 use crate::Context;
-use crate::operands::{bare, condition, is_repeatable, same_text};
+use crate::operands::{bare, condition, is_relation};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -15,8 +15,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Warning,
         enabled: true,
-        what: "A condition compares something with itself, or joins a comparison and a bare number with OR or AND. A \
-               condition of numbers only is reported as advice, except that of an endless WHILE.",
+        what: "A condition joins a comparison and a bare number with OR or AND. A condition of numbers only is reported as \
+               advice, except that of an endless WHILE.",
         why: "`P0 = 1 OR 2` is not \"1 or 2\": any number but zero is true, so the condition always is. What should depend \
               on it happens every time.",
         bad: "PROG0\nPROGRAM\nIF (P0 = 1 OR 2) THEN SET 32\nENDP",
@@ -47,7 +47,7 @@ fn check_parts(context: &mut Context<'_>, expr: &Expr) {
     match &bare(expr).kind {
         ExprKind::Unary(UnaryOperator::Not, inner) => check_parts(context, inner),
         ExprKind::Binary(operator, _, sides) => {
-            if let Some(diagnostic) = judge(context, expr, *operator, sides) {
+            if let Some(diagnostic) = judge(*operator, sides) {
                 context.report(diagnostic);
             } else if matches!(operator, Operator::And | Operator::Or) {
                 sides.iter().for_each(|side| check_parts(context, side));
@@ -57,16 +57,8 @@ fn check_parts(context: &mut Context<'_>, expr: &Expr) {
     }
 }
 
-fn judge(context: &Context<'_>, whole: &Expr, operator: Operator, sides: &[Expr; 2]) -> Option<Diagnostic> {
+fn judge(operator: Operator, sides: &[Expr; 2]) -> Option<Diagnostic> {
     let [left, right] = sides;
-    if is_relation(operator) {
-        let same = same_text(context, bare(left).span, bare(right).span);
-        let computed = walk::literal(left).is_none() && is_repeatable(left);
-        return (same && computed).then(|| {
-            let truth = if matches!(operator, Operator::Eq | Operator::Le | Operator::Ge) { "true" } else { "false" };
-            RULE.at(whole.span, format!("this compares something with itself: it is always {truth}"))
-        });
-    }
     let (number, other) = match (walk::literal(left), walk::literal(right)) {
         (None, Some(_)) => (right, left),
         (Some(_), None) => (left, right),
@@ -82,11 +74,6 @@ fn judge(context: &Context<'_>, whole: &Expr, operator: Operator, sides: &[Expr;
     };
     let help = "repeat the comparison: `P0 = 1 OR P0 = 2`";
     is_relation(*inner).then(|| RULE.at(number.span, outcome).with_help(help))
-}
-
-fn is_relation(operator: Operator) -> bool {
-    use Operator::{Eq, Ge, Gt, Le, Lt, Ne};
-    matches!(operator, Eq | Ne | Lt | Gt | Le | Ge)
 }
 
 #[cfg(test)]
@@ -112,14 +99,6 @@ mod tests {
         assert_eq!(found("(P4096 AND 4) = 4"), [""; 0]);
         assert_eq!(found("P0 = 1 OR BIT 2"), [""; 0]);
         assert_eq!(found("(P0 OR 2) = 3"), [""; 0]);
-    }
-
-    #[test]
-    fn a_comparison_with_itself() {
-        assert_eq!(found("P0 = P0"), ["P0 = P0"]);
-        assert_eq!(found("BIT 1 AND LV0+1 <> (lv0 + 1)"), ["LV0+1 <> (lv0 + 1)"]);
-        assert_eq!(found("RND(3) = RND(3)"), [""; 0]);
-        assert_eq!(found("P0 = P1"), [""; 0]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ pub(crate) mod duplicate_branch;
 pub(crate) mod duplicate_condition;
 pub(crate) mod float_equality;
 pub(crate) mod goto_loop;
+pub(crate) mod identical_operands;
 pub(crate) mod keyword_case;
 pub(crate) mod magic_bit_number;
 pub(crate) mod mixed_and_or;
