@@ -27,6 +27,8 @@ pub(crate) struct Context<'a> {
     pub(crate) reported_levels: Vec<Level>,
     /// Variables without memory that were reported, as rules of the memory name them.
     pub(crate) reported_variables: BTreeSet<(Level, OperandClass, Option<u64>)>,
+    /// A number was reported that the wizard would use, in a project without code of the wizard.
+    pub(crate) reported_wizard_number: bool,
 }
 
 impl<'a> Context<'a> {
@@ -40,6 +42,7 @@ impl<'a> Context<'a> {
             flow: None,
             reported_levels: Vec::new(),
             reported_variables: BTreeSet::new(),
+            reported_wizard_number: false,
         }
     }
 

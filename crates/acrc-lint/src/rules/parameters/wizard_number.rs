@@ -1,7 +1,7 @@
 //! `ACR311`: a program writes what code of the vendor's wizard uses.
 
 use acrc_analysis::is_wizards;
-use acrc_diagnostics::{Code, Severity};
+use acrc_diagnostics::{Code, Diagnostic, Severity};
 use acrc_syntax::units::SectionKind;
 
 use crate::Context;
@@ -12,12 +12,13 @@ pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
         code: Code { id: "ACR311", name: "wizard-number" },
         group: Group::Parameters,
-        severity: Severity::Advice,
+        severity: Severity::Warning,
         enabled: true,
-        what: "A program writes one of the parameters P100 to P131 or flags 1952 to 2047, and the setup of the project \
-               writes such numbers too, as code of the vendor's wizard does.",
+        what: "A program writes one of the parameters P100 to P131 or flags 1952 to 2047. It is a warning when the setup of \
+               the project writes such numbers too, as code of the vendor's wizard does; without such code it is advice, \
+               once a file. A lone piece of code is not judged.",
         why: "The wizard keeps software travel limits and the states of drive faults there. Who uses one of them as a \
-              variable moves a limit or clears a fault.",
+              variable moves a limit or clears a fault; in a project without its code, as soon as the wizard writes some.",
         bad: "SYS\nP100 = 24 : P116 = 0\nPROG0\nPROGRAM\nP100 = P100 + 1\nENDP",
         good: "SYS\nP100 = 24 : P116 = 0\nPROG0\nPROGRAM\nP10 = P10 + 1\nENDP",
         guide: "Configuration / Resources Reserved for Generated Code",
@@ -27,35 +28,45 @@ pub(crate) static RULE: Rule = Rule {
 
 fn check(context: &mut Context<'_>, reference: &Reference) {
     let is_stored = context.section().is_some_and(|section| section.section.kind == SectionKind::Stored);
-    if reference.usage != Usage::Write || !is_stored || !context.usage().wizard {
+    if reference.usage != Usage::Write || !is_stored {
         return;
     }
-    let is_wizards = reference.small().is_some_and(|number| is_wizards(reference.class, number));
-    if is_wizards {
-        let message = format!("code of the wizard keeps its own data in {}", reference.name());
-        let finding = RULE.at(reference.span, message).with_help("take a user parameter or flag of your own");
-        context.report(reference.labelled(finding));
+    if !reference.small().is_some_and(|number| is_wizards(reference.class, number)) {
+        return;
     }
+    let (name, help) = (reference.name(), "take a user parameter or flag of your own");
+    let finding = if context.usage().wizard {
+        RULE.at(reference.span, format!("code of the wizard keeps its own data in {name}"))
+    } else if context.environment().fragment || std::mem::replace(&mut context.reported_wizard_number, true) {
+        return;
+    } else {
+        let message = format!("{name} is reserved for code of the wizard");
+        Diagnostic { severity: Severity::Advice, ..RULE.at(reference.span, message) }
+    };
+    context.report(reference.labelled(finding.with_help(help)));
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::spans_of;
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{found_by, spans_of};
 
     #[test]
     fn numbers_that_the_setup_uses_too() {
         let setup = "SYS\nP100 = 24\nP116 = 0\nCLR 1952\n";
         let text = format!("{setup}PROG0\nPROGRAM\nP116 = 5\nSET 1984 CLR 128\nP1 = P100\nP132 = 5\nENDP\n");
         assert_eq!(spans_of("ACR311", &text), ["P116", "1984"]);
+        assert_eq!(found_by("ACR311", &text)[0].severity, Severity::Warning);
     }
 
     #[test]
-    fn without_such_a_setup_they_are_ordinary_numbers() {
-        assert_eq!(spans_of("ACR311", "PROG0\nPROGRAM\nP116 = 5\nSET 1984\nENDP\n"), [""; 0]);
-        assert_eq!(
-            spans_of("ACR311", "SYS\nP100 = 5\nPROG0\nPROGRAM\nP100 = 6\nENDP\n"),
-            [""; 0],
-            "a variable of the author"
-        );
+    fn without_such_a_setup_they_are_advice_once_a_file() {
+        let text = "PROG0\nPROGRAM\nP116 = 5\nSET 1984\nENDP\nPROG1\nPROGRAM\nP100 = 5\nENDP\n";
+        assert_eq!(spans_of("ACR311", text), ["P116"]);
+        assert_eq!(found_by("ACR311", text)[0].severity, Severity::Advice);
+        let author = "SYS\nP100 = 5\nPROG0\nPROGRAM\nP100 = 6\nENDP\n";
+        assert_eq!(found_by("ACR311", author)[0].severity, Severity::Advice, "a variable of the author");
+        assert_eq!(spans_of("ACR311", "PROGRAM\nP116 = 5\nENDP\n"), [""; 0], "a piece of code");
     }
 }
