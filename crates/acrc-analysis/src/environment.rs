@@ -27,6 +27,8 @@ pub struct Environment {
     pub fragment: bool,
     /// See [`Symbols::excerpt`].
     pub excerpt: bool,
+    /// No file of the project defines an alias.
+    pub nameless: bool,
 }
 
 /// What an alias that a file defines is to the project.
@@ -107,6 +109,7 @@ impl Environment {
             conflicts: symbols.conflicts.iter().filter(|conflict| conflict.file == file).cloned().collect(),
             fragment: symbols.fragment,
             excerpt: symbols.excerpt,
+            nameless: symbols.aliases.is_empty(),
         }
     }
 
