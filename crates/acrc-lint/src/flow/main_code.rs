@@ -69,6 +69,11 @@ impl Main {
         }
     }
 
+    /// Whether a statement belongs to the main code.
+    pub(super) fn reaches(&self, statement: u32) -> bool {
+        is(&self.reached, statement.saturating_sub(self.start))
+    }
+
     /// How the main code gets to one of its statements.
     pub(crate) fn way_to(&self, statement: u32) -> Way {
         let place = statement.saturating_sub(self.start) as usize;

@@ -123,6 +123,25 @@ impl Flow {
         self.forward.spread(vec![self.place(entry)], reached, |_, _, _| true);
     }
 
+    /// Straight ways from one subroutine into another that can return: the beginnings of both, sorted by the second. Only
+    /// code that nothing but a GOSUB leads to belongs to a subroutine here.
+    pub(crate) fn subroutines_run_into(&self) -> Vec<(u32, u32)> {
+        let mut owner = vec![None; self.forward.len()];
+        // A place that several subroutines reach belongs to the last one, so that none runs into its own beginning.
+        for entry in self.called.iter().rev() {
+            self.forward.claim(*entry, &mut owner, |_, _, via| via != Via::Call);
+        }
+        let main = self.main();
+        let before = |to: &u32| {
+            let steps = self.back.at(*to).iter();
+            let straight = steps.filter(|(_, via)| matches!(via, Via::Straight | Via::Returned)).map(|(from, _)| *from);
+            let from = straight.filter(|from| from < to && !main.reaches(self.start + from)).max()?;
+            let own = owner.get(from as usize).copied().flatten().filter(|own| own != to)?;
+            Some((self.start + own, self.start + to))
+        };
+        self.called.iter().filter(|to| is(&self.comes_back, **to)).filter_map(before).collect()
+    }
+
     /// GOSUBs through which a subroutine calls itself, one for each group of subroutines that call each other: those
     /// that go back in the text, each with the place it goes to. Ways through a GOTO do not count.
     pub(crate) fn recursive_calls(&self) -> Vec<(u32, u32)> {

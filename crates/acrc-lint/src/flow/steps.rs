@@ -89,6 +89,19 @@ impl Adjacency {
         }
     }
 
+    /// Makes `owner` the owner of itself and of all that can be reached from it over the steps that `takes` allows, up to
+    /// what has an owner.
+    pub(super) fn claim(&self, owner: u32, owners: &mut [Option<u32>], takes: impl Fn(u32, u32, Via) -> bool) {
+        let mut open = vec![owner];
+        while let Some(at) = open.pop() {
+            match owners.get_mut(at as usize) {
+                Some(place) if place.is_none() => *place = Some(owner),
+                _ => continue,
+            }
+            open.extend(self.at(at).iter().filter(|(other, via)| takes(at, *other, *via)).map(|(other, _)| *other));
+        }
+    }
+
     /// What can be reached from `open` over the steps that `takes` allows.
     pub(super) fn reach(&self, open: Vec<u32>, takes: impl Fn(u32, u32, Via) -> bool) -> Vec<bool> {
         let mut reached = vec![false; self.len()];
