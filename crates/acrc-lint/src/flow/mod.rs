@@ -171,6 +171,42 @@ impl Flow {
         found.into_iter().map(|(_, from, to)| (self.start + from, self.start + to)).collect()
     }
 
+    /// Those of `statements` that can be come to again without passing one of `barriers`, the first one of each loop. A
+    /// subroutine that can reach a barrier is one, too.
+    pub(crate) fn repeated(&self, statements: &[u32], barriers: &[u32]) -> Vec<u32> {
+        let barriers: Vec<u32> = barriers.iter().map(|barrier| self.place(*barrier)).collect();
+        let mut is_barrier = vec![false; self.forward.len()];
+        for barrier in &barriers {
+            if let Some(place) = is_barrier.get_mut(*barrier as usize) {
+                *place = true;
+            }
+        }
+        let to_barrier = self.back.reach(barriers, |_, _, _| true);
+        let passes = |(to, via): &(u32, Via)| *via == Via::Call && is(&to_barrier, *to);
+        let component = components::components(&self.forward, |from, to, via| {
+            let goes_on = match via {
+                Via::Straight | Via::Jump => true,
+                Via::Returned => self.returns(from) && !self.forward.at(from).iter().any(passes),
+                Via::Call | Via::Doubtful => false,
+            };
+            goes_on && !is(&is_barrier, from) && !is(&is_barrier, to)
+        });
+        let mut sizes = vec![0_u32; component.len()];
+        for number in &component {
+            if let Some(size) = sizes.get_mut(*number as usize) {
+                *size += 1;
+            }
+        }
+        let mut seen = vec![false; component.len()];
+        let mut first = |statement: &u32| {
+            let number = component.get(self.place(*statement) as usize).map_or(0, |number| *number as usize);
+            // A statement alone does not lead to itself.
+            sizes.get(number).is_some_and(|size| *size > 1)
+                && seen.get_mut(number).is_some_and(|seen| !std::mem::replace(seen, true))
+        };
+        statements.iter().copied().filter(|statement| first(statement)).collect()
+    }
+
     /// Whether the subroutine that the GOSUB at place `from` calls can return.
     fn returns(&self, from: u32) -> bool {
         self.forward.at(from).iter().any(|(to, via)| *via == Via::Call && is(&self.comes_back, *to))
