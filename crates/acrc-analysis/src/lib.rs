@@ -41,4 +41,4 @@ pub use near::nearest;
 pub use query::{diagnostics, parse};
 pub use role::FileRole;
 pub use symbols::{AliasSymbol, AxisTable, Symbols};
-pub use usage::{Usage, is_wizards};
+pub use usage::{Usage, is_wizards, is_wizards_program};

@@ -23,6 +23,8 @@ pub struct Usage {
     /// The setup writes parameters or flags as code of the vendor's wizard does: a flag that it keeps for itself, or both
     /// travel limits of an axis.
     pub wizard: bool,
+    /// A program that the wizard may fill ([`is_wizards_program`]) writes both travel limits of an axis, as its code does.
+    pub wizard_program: bool,
 }
 
 /// The user flags that some code of a project sets.
@@ -77,17 +79,23 @@ impl Usage {
     /// Puts together what the files do.
     pub(crate) fn new<'a>(files: impl Iterator<Item = (&'a Exports, &'a Effects)>) -> Self {
         let mut usage = Self::default();
-        let mut limits = Vec::new();
+        let (mut limits, mut program_limits) = (Vec::new(), Vec::new());
         for (exports, effects) in files {
             usage.add_objects(exports, effects);
             for write in &effects.user {
-                if write.system && is_wizards(write.class, write.number) {
+                if !is_wizards(write.class, write.number) {
+                    continue;
+                }
+                if write.system {
                     usage.wizard |= write.class == OperandClass::Bit;
                     limits.push(write.number);
+                } else if write.wizards && write.class == OperandClass::Parameter {
+                    program_limits.push(write.number);
                 }
             }
         }
         usage.wizard |= has_both_limits(&limits);
+        usage.wizard_program = has_both_limits(&program_limits);
         for list in [&mut usage.axes, &mut usage.masters] {
             list.sort_unstable();
             list.dedup();
@@ -122,6 +130,12 @@ pub(crate) fn is_user_flag(class: OperandClass, number: u32) -> bool {
 fn has_both_limits(parameters: &[u32]) -> bool {
     let (positive, negative) = (law::WIZARD_SOFT_EOT_POS, law::WIZARD_SOFT_EOT_NEG);
     (0..AXES).any(|axis| [positive, negative].iter().all(|limit| parameters.contains(&limit.at(axis))))
+}
+
+/// Whether the wizard of firmware up to 1.18.14 saves code for limits and drive faults as this program (guide, "Resources
+/// Reserved for Generated Code").
+pub fn is_wizards_program(level: Level) -> bool {
+    matches!(level, Level::Program(7) | Level::Plc(5..=7))
 }
 
 /// Whether a parameter or flag is one that code of the vendor's wizard uses (guide, "Resources Reserved for Generated

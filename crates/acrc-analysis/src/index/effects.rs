@@ -45,6 +45,8 @@ pub struct UserWrite {
     pub how: WriteKind,
     /// At the `SYS` prompt.
     pub system: bool,
+    /// It stands in one of the programs that the vendor's wizard may fill, see [`usage::is_wizards_program`].
+    pub wizards: bool,
 }
 
 /// A deed that is done by a command somewhere at a level.
@@ -191,7 +193,8 @@ impl<'a> Collector<'a> {
 
     fn user_write(&mut self, level: Level, class: OperandClass, number: u64, how: WriteKind) {
         let Ok(number) = u32::try_from(number) else { return };
-        let write = UserWrite { class, number, how, system: level == Level::System };
+        let wizards = usage::is_wizards_program(level);
+        let write = UserWrite { class, number, how, system: level == Level::System, wizards };
         if usage::is_user_flag(class, number) || usage::is_wizards(class, number) {
             self.user.insert(write);
         }

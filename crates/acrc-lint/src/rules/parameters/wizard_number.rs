@@ -1,6 +1,6 @@
 //! `ACR311`: a program writes what code of the vendor's wizard uses.
 
-use acrc_analysis::is_wizards;
+use acrc_analysis::{is_wizards, is_wizards_program};
 use acrc_diagnostics::{Code, Diagnostic, Severity};
 use acrc_syntax::units::SectionKind;
 
@@ -15,8 +15,9 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "A program writes one of the parameters P100 to P131 or flags 1952 to 2047. It is a warning when the setup of \
-               the project writes such numbers too, as code of the vendor's wizard does; without such code it is advice, \
-               once a file. A lone piece of code is not judged.",
+               the project writes such numbers too, as code of the vendor's wizard does, or when PROG7 or one of PLC5 to \
+               PLC7, in which older firmware has that code, writes both limits of an axis. Otherwise it is advice, once \
+               a file. A lone piece of code is not judged.",
         why: "The wizard keeps software travel limits and the states of drive faults there. Who uses one of them as a \
               variable moves a limit or clears a fault; in a project without its code, as soon as the wizard writes some.",
         bad: "SYS\nP100 = 24 : P116 = 0\nPROG0\nPROGRAM\nP100 = P100 + 1\nENDP",
@@ -35,7 +36,11 @@ fn check(context: &mut Context<'_>, reference: &Reference) {
         return;
     }
     let (name, help) = (reference.name(), "take a user parameter or flag of your own");
-    let finding = if context.usage().wizard {
+    let in_program = context.usage().wizard_program && !context.usage().wizard;
+    if in_program && is_wizards_program(context.level()) {
+        return;
+    }
+    let finding = if context.usage().wizard || in_program {
         RULE.at(reference.span, format!("code of the wizard keeps its own data in {name}"))
     } else if context.environment().fragment || std::mem::replace(&mut context.reported_wizard_number, true) {
         return;
@@ -58,6 +63,19 @@ mod tests {
         let text = format!("{setup}PROG0\nPROGRAM\nP116 = 5\nSET 1984 CLR 128\nP1 = P100\nP132 = 5\nENDP\n");
         assert_eq!(spans_of("ACR311", &text), ["P116", "1984"]);
         assert_eq!(found_by("ACR311", &text)[0].severity, Severity::Warning);
+    }
+
+    #[test]
+    fn older_code_of_the_wizard_is_in_a_program() {
+        let text = |seven: &str| {
+            format!(
+                "PROG7\nPROGRAM\nP100 = 24\n{seven}\nSET 2000\nENDP\nPROG0\nATTACH MASTER0\nPROGRAM\nP101 = 5\nENDP\n"
+            )
+        };
+        assert_eq!(spans_of("ACR311", &text("P116 = 0")), ["P101"]);
+        assert_eq!(found_by("ACR311", &text("P116 = 0"))[0].severity, Severity::Warning);
+        assert_eq!(spans_of("ACR311", &text("P1 = 0")), ["P100"], "half of a pair");
+        assert_eq!(found_by("ACR311", &text("P1 = 0"))[0].severity, Severity::Advice);
     }
 
     #[test]
