@@ -34,7 +34,7 @@ fn check(context: &mut Context<'_>, expr: &Expr) {
     if walk::literal(left).is_some() || !same_text(context, left.span, right.span) || !is_repeatable(left) {
         return;
     }
-    let message = format!("`{}` on both sides of {operator}: the result is {result}", context.slice(left.span));
+    let message = format!("`{}` on both sides of `{operator}`: the result is {result}", context.slice(left.span));
     context.report(RULE.at(expr.span, message).with_help("replace one of them by the operand that was meant"));
 }
 
@@ -86,7 +86,7 @@ mod tests {
     fn the_message_names_the_operand_and_the_result() {
         let messages: Vec<_> =
             found_by("ACR614", "P0 = P12290/P12290\n").into_iter().map(|found| found.message).collect();
-        assert_eq!(messages, ["`P12290` on both sides of /: the result is always 1"]);
+        assert_eq!(messages, ["`P12290` on both sides of `/`: the result is always 1"]);
     }
 
     #[test]
