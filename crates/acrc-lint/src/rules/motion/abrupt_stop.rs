@@ -17,8 +17,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "The last move before the program ends, or before it waits for the master to stand still, is made with \
-               STP 0. Only stretches without jumps, blocks and labels from the STP 0 to the end of the motion are \
-               judged.",
+               STP 0. Only stretches without labels, jumps and conditions from the STP 0 to the end of the motion are \
+               judged; the moves of a loop count as if they stood there once.",
         why: "With a stop ramp of zero a move ends at full speed, for the next one to go on. When nothing follows, the \
               velocity drops to zero at once: the load takes a blow, and the axis may be killed by its following \
               error.",
@@ -93,16 +93,17 @@ enum Effect {
 fn effect(statement: &Statement, standstill: Option<u64>) -> Effect {
     match &statement.kind {
         StatementKind::Command(command) => effect_of(command, standstill),
+        // A loop only repeats what its body does: whatever ramp the first round finds, the others find too unless the
+        // body changes it, and then that is read on the way.
         StatementKind::Remark(_)
         | StatementKind::Print(_)
         | StatementKind::Assign(_)
         | StatementKind::Dim(_)
-        | StatementKind::Define(_) => Effect::Nothing,
-        StatementKind::Label(_)
-        | StatementKind::If(_)
-        | StatementKind::For(_)
-        | StatementKind::Input(_)
-        | StatementKind::Error => Effect::Unclear,
+        | StatementKind::Define(_)
+        | StatementKind::For(_) => Effect::Nothing,
+        StatementKind::Label(_) | StatementKind::If(_) | StatementKind::Input(_) | StatementKind::Error => {
+            Effect::Unclear
+        }
     }
 }
 
@@ -115,7 +116,10 @@ fn effect_of(command: &Command, standstill: Option<u64>) -> Effect {
         },
         command::INH if waits_for_standstill(command, standstill) => Effect::End,
         command::END => Effect::End,
-        command::ACC
+        command::NEXT
+        | command::WHILE
+        | command::WEND
+        | command::ACC
         | command::DEC
         | command::VEL
         | command::F
@@ -159,6 +163,12 @@ mod tests {
     }
 
     #[test]
+    fn the_last_move_of_a_loop() {
+        assert_eq!(found("STP 0\nFOR LV0 = 0 TO 9 STEP 1\nX(LV0)\nNEXT\nINH -548\nSTP 50"), ["X(LV0)"]);
+        assert_eq!(found("STP 0\nX5\nWHILE (BIT 7)\nX/1\nX/2\nWEND"), ["X/2"]);
+    }
+
+    #[test]
     fn a_ramp_before_the_last_move() {
         assert_eq!(found("STP 0\nX10\nSTP 50\nX20"), [""; 0]);
         assert_eq!(found("STP 0\nX10\nSTP (P0)\nX20"), [""; 0]);
@@ -170,7 +180,9 @@ mod tests {
         for program in [
             "STP 0\n_A\nX10\nGOTO A",
             "STP 0\nX10\nGOSUB A\nEND\n_A\nRETURN",
-            "STP 0\nFOR LV0 = 1 TO 3\nX/1\nNEXT",
+            "STP 0\nFOR LV0 = 1 TO 3\nX/1\nSTP 50\nNEXT\nX0",
+            "STP 0\nFOR LV0 = 1 TO 3\nX/1\nIF (BIT 1) THEN BREAK\nNEXT",
+            "FOR LV0 = 1 TO 3\nX/1\nSTP 0\nNEXT",
             "IF (BIT 1) THEN STP 0\nX10",
             "STP 0\nX10\nINH -516\nSTP 50\nX0",
             "STP 0\nX10\nIF (BIT 1)\nX20\nENDIF",
