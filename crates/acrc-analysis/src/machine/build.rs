@@ -120,9 +120,9 @@ impl Machine {
             return;
         }
         if let Some(axis) = axis.filter(|_| deed.is_motion())
-            && self.first_file_with(&[deed], axis).is_none()
+            && !self.first.iter().any(|(of, on, at, _)| (*of, *on, *at) == (deed, axis, level))
         {
-            self.first.push((deed, axis, file));
+            self.first.push((deed, axis, level, file));
         }
         if deed == Deed::Move && self.first_file_moving(level).is_none() {
             self.first_moves.push((level, file));

@@ -39,8 +39,8 @@ pub struct Machine {
     level_deeds: Vec<(Deed, Level)>,
     /// By deed: it may be done to any master or program.
     open_levels: [bool; Deed::COUNT],
-    /// Motion in stored text by axis, with the first file that has it, sorted.
-    first: Vec<(Deed, u32, u32)>,
+    /// Motion in stored text by axis and program, with the first file that has it, sorted.
+    first: Vec<(Deed, u32, Level, u32)>,
     /// Coordinated moves in stored text by level, with the first file that has them, sorted.
     first_moves: Vec<(Level, u32)>,
 }
@@ -78,8 +78,23 @@ impl Machine {
 
     /// The first file of the project whose stored text does one of `deeds`, which are motion, to an axis.
     pub fn first_file_with(&self, deeds: &[Deed], axis: u32) -> Option<u32> {
-        let of_axis = self.first.iter().filter(|(deed, of, _)| *of == axis && deeds.contains(deed));
-        of_axis.map(|(_, _, file)| *file).min()
+        let of_axis = self.first.iter().filter(|(deed, of, ..)| *of == axis && deeds.contains(deed));
+        of_axis.map(|(.., file)| *file).min()
+    }
+
+    /// The programs whose stored text sets an axis in motion, each with the first file of the project where it does, in
+    /// the order of the files.
+    pub fn programs_moving(&self, axis: u32) -> Vec<(Level, u32)> {
+        let mut moving: Vec<(u32, Level)> =
+            self.first.iter().filter(|(_, of, ..)| *of == axis).map(|(_, _, level, file)| (*file, *level)).collect();
+        moving.sort_unstable();
+        let mut programs: Vec<(Level, u32)> = Vec::new();
+        for (file, level) in moving {
+            if !programs.iter().any(|(other, _)| *other == level) {
+                programs.push((level, file));
+            }
+        }
+        programs
     }
 
     /// The first file of the project whose stored text has coordinated moves of the program of a level.

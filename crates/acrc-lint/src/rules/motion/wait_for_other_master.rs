@@ -5,7 +5,7 @@ use acrc_catalog::command;
 use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::ast::{ExprKind, Statement, StatementKind};
 
-use super::straight;
+use super::straight::{self, Wait};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 use crate::{Context, level_name};
 
@@ -15,9 +15,9 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "An INH directly behind a move of the program waits for the in-motion flag of another master: one \
-               without axes, or one of another program while this program nowhere looks whether its own motion is \
-               over.",
+        what: "An INH, or a loop that only waits, directly behind a move of the program waits for the in-motion flag of \
+               another master: one without axes; or one of another program, while this program nowhere looks whether \
+               its own motion is over, or switches something behind the wait and moves on without having looked.",
         why: "Each master has its own flag (516 + 32 * master, for the first eight). The flag of a master that stands \
               still is off, so the program does not wait at all: what should happen at the end of the move happens at \
               its start.",
@@ -34,27 +34,48 @@ pub(crate) static RULE: Rule = Rule {
 const IN_MOTION: &str = "in_motion";
 
 fn check(context: &mut Context<'_>, statement: &Statement) {
-    let StatementKind::Command(command) = &statement.kind else { return };
-    let Some((bit, flag)) = straight::awaited(context, command).filter(|(_, flag)| flag.field == IN_MOTION) else {
+    let waits = straight::waits(context, statement);
+    let [Wait { span, flag, .. }] = waits.as_slice() else { return };
+    if flag.field != IN_MOTION {
         return;
-    };
+    }
     let (Some(master), Some(own)) = (flag.object_index, straight::only_master(context)) else { return };
     let Some(right) = acrc_catalog::bit_number(IN_MOTION, own) else { return };
-    if master == own || !follows_move(context) || (has_axes(context, master) && looks_at_itself(context, right)) {
+    if master == own || !follows_move(context) {
+        return;
+    }
+    if has_axes(context, master) && looks_at_itself(context, right) && !acts_before_next_move(context) {
         return;
     }
     let number = flag.number;
     let message = format!("flag {number} is that of MASTER{master}, and the move before is one of MASTER{own}");
     let program = level_name(context.level());
-    context
-        .report(RULE.at(bit.span, message).with_help(format!("the moves of {program} are in motion at flag {right}")));
+    context.report(RULE.at(*span, message).with_help(format!("the moves of {program} are in motion at flag {right}")));
 }
 
 /// Whether a move stands directly before the wait, and no other wait between.
 fn follows_move(context: &Context<'_>) -> bool {
-    let waits = |statement: &Statement| matches!(&statement.kind, StatementKind::Command(c) if c.id == command::INH);
-    let moves = |statement: &Statement| straight::deeds(context, statement).iter().any(|(deed, _)| *deed == Deed::Move);
-    straight::before(context).into_iter().take_while(|statement| !waits(statement)).any(moves)
+    let nearest = straight::before(context).into_iter().take_while(|statement| !straight::is_wait(statement));
+    nearest.into_iter().any(|statement| is_move(context, statement))
+}
+
+fn is_move(context: &Context<'_>, statement: &Statement) -> bool {
+    straight::deeds(context, statement).iter().any(|(deed, _)| *deed == Deed::Move)
+}
+
+/// Whether flags are switched behind the wait, before the program makes its next move, and nothing else is waited for
+/// between: what is switched belongs to the end of the move before.
+fn acts_before_next_move(context: &Context<'_>) -> bool {
+    let behind = straight::after(context);
+    let until_move = behind.iter().position(|statement| is_move(context, statement) || straight::is_wait(statement));
+    let Some((between, end)) = until_move.and_then(|at| Some((behind.get(..at)?, behind.get(at)?))) else {
+        return false;
+    };
+    let switches = |statement: &&Statement| {
+        let StatementKind::Command(command) = &statement.kind else { return false };
+        matches!(command.id, command::SET | command::CLR)
+    };
+    is_move(context, end) && between.iter().any(switches)
 }
 
 /// Whether a master may move something.
@@ -76,7 +97,7 @@ fn looks_at_itself(context: &Context<'_>, in_motion: u32) -> bool {
 
     let range = section.section.statements.start as usize..section.section.statements.end as usize;
     context.tree().statements().get(range).unwrap_or_default().iter().any(|statement| {
-        let mut found = straight::awaited_by(context, statement).is_some_and(|flag| flags.contains(&flag.number));
+        let mut found = straight::waits(context, statement).iter().any(|wait| flags.contains(&wait.flag.number));
         walk::expressions(statement, &mut |expr| found |= is_own(&expr.kind));
         found
     })
@@ -107,12 +128,21 @@ mod tests {
     }
 
     #[test]
+    fn something_is_switched_as_if_the_move_were_over() {
+        assert_eq!(found("Z10\nINH -516\nSET 34\nDWL 1\nCLR 34\nZ0\nINH -548"), ["-516"]);
+        assert_eq!(found("Z10\nWHILE (BIT 516)\nWEND\nSET 34\nZ0\nINH -548"), ["BIT 516"]);
+    }
+
+    #[test]
     fn waits_that_are_meant() {
         for program in [
             "Z10\nINH -548",
             "Z10\nINH -548\nINH -516",
             "INH -516\nZ10",
             "Z10\nINH -516\nZ0\nINH -548",
+            "Z10\nINH -516\nSET 34\nINH -548\nZ0",
+            "Z10\nINH -516\nSET 34\nIF (BIT 548) THEN SET 33\nZ0\nINH -548",
+            "Z10\nINH -516\nSET 34\n_A\nZ0\nINH -548",
             "Z10\n_A\nINH -516",
             "IF (BIT 1) THEN Z10\nINH -516",
             "JOG INC Z5\nINH -516",
