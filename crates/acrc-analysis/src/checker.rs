@@ -61,6 +61,11 @@ impl<'a> Questions<'a> {
     pub fn may_set_flag(&self, flag: u32) -> bool {
         query::set_flags(self.db, self.project).may_set(flag)
     }
+
+    /// The name of a file by its place in the project; empty when there is none.
+    pub fn file_name(&self, place: u32) -> &'a str {
+        self.project.files(self.db).get(place as usize).map_or("", |file| file.name(self.db))
+    }
 }
 
 impl fmt::Debug for Questions<'_> {

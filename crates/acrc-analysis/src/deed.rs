@@ -59,11 +59,13 @@ pub enum Deed {
     Run,
     /// Says that its program starts at power-up.
     Boot,
+    /// Looks whether a program runs.
+    Watch,
 }
 
 impl Deed {
     /// How many there are.
-    pub(crate) const COUNT: usize = Self::Boot as usize + 1;
+    pub(crate) const COUNT: usize = Self::Watch as usize + 1;
 
     /// Everything that makes an axis move.
     pub const MOTION: [Self; 5] = [Self::Move, Self::Jog, Self::Home, Self::Gear, Self::Cam];
@@ -75,7 +77,7 @@ impl Deed {
 
     /// Whether it is done to the master of a program, or to a program, and not to an axis.
     pub(crate) fn is_of_program(self) -> bool {
-        OF_MASTERS.contains(&self) || matches!(self, Self::Run | Self::Boot)
+        OF_MASTERS.contains(&self) || matches!(self, Self::Run | Self::Boot | Self::Watch)
     }
 }
 
@@ -162,6 +164,9 @@ const PARAMETERS: &[(&str, Deed)] = &[
     ("limit_b_minus", Deed::SoftLimits),
 ];
 
+/// Fields of flags that show whether a program runs.
+const PROGRAM_STATE: [&str; 2] = ["program_running", "run_request"];
+
 /// The settings that the parameters of a master hold; which parameter holds which is not known.
 const OF_MASTERS: [Deed; 3] = [Deed::Velocity, Deed::Acceleration, Deed::StopRamp];
 
@@ -234,6 +239,12 @@ fn suffices(says: Says, value: Option<&Argument>) -> bool {
     }
 }
 
+/// The program whose state a flag shows.
+pub(crate) fn watched(flag: u64) -> Option<u32> {
+    let info = acrc_catalog::bit(u32::try_from(flag).ok()?);
+    info.object_index.filter(|_| PROGRAM_STATE.contains(&info.field))
+}
+
 /// What writing a flag or parameter does to which axis, master or program.
 pub(crate) fn of(class: OperandClass, number: u64, how: WriteKind) -> Vec<(Deed, u32)> {
     match class {
@@ -285,6 +296,9 @@ mod tests {
     fn every_field_of_the_tables_is_one_of_the_catalogue() {
         for (field, _, _) in FLAGS {
             assert!(acrc_catalog::all_bits().any(|row| row.field == *field), "{field}");
+        }
+        for field in PROGRAM_STATE {
+            assert!(acrc_catalog::all_bits().any(|row| row.field == field), "{field}");
         }
         for (field, _) in PARAMETERS {
             assert!(acrc_catalog::all_parameters().any(|row| row.field == *field), "{field}");

@@ -113,6 +113,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &motion::reversed_limits::RULE,
     &motion::software_limits_not_set::RULE,
     &motion::abrupt_stop::RULE,
+    &motion::axis_commanded_by_two_programs::RULE,
     &motion::program_never_started::RULE,
     &motion::runs_empty_program::RULE,
     &motion::homing_velocity_never_set::RULE,

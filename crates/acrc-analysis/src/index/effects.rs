@@ -111,6 +111,34 @@ impl<'a> Collector<'a> {
             StatementKind::Input(input) => input.variables.iter().for_each(|variable| self.assigned(level, variable)),
             _ => {}
         }
+        self.watched(level, stored, statement);
+    }
+
+    /// Adds the programs whose state a wait or a condition looks at.
+    fn watched(&mut self, level: Level, stored: bool, statement: &Statement) {
+        let looks = match &statement.kind {
+            StatementKind::If(_) => true,
+            StatementKind::Command(command) => [command::INH, command::WHILE].contains(&command.id),
+            _ => false,
+        };
+        if !looks {
+            return;
+        }
+        let mut look = |number: u64| {
+            if let Some(program) = deed::watched(number) {
+                let on = On::Object(ObjectKind::Prog, Some(program));
+                self.uses.insert(Use { deed: Deed::Watch, level, stored, on });
+            }
+        };
+        walk::bits(statement).filter_map(|bit| walk::whole(&bit.index)).for_each(&mut look);
+        walk::expressions(statement, &mut |expr| {
+            if let ExprKind::Operand(operand) = &expr.kind
+                && operand.class == OperandClass::Bit
+                && let ExprKind::Integer(number) = operand.index.kind
+            {
+                look(number);
+            }
+        });
     }
 
     fn command(&mut self, level: Level, stored: bool, command: &Command) {

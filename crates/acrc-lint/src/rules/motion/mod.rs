@@ -5,6 +5,7 @@
 //! at one place: the first motion of the axis, or of the program, in the first file that has some.
 
 pub(crate) mod abrupt_stop;
+pub(crate) mod axis_commanded_by_two_programs;
 pub(crate) mod coordinated_wait_for_jog;
 pub(crate) mod drive_never_enabled;
 pub(crate) mod error_without_response;
