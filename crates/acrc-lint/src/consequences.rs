@@ -1,17 +1,23 @@
 //! Findings that are left out because they only repeat, in other words, a mistake that is already reported.
 //!
 //! A statement that could not be read costs one finding, that of the parser: what a rule says about the readable part of
-//! it rests on a guess. What stands behind a forgotten `ENDP` belongs to another program than it seems to.
+//! it rests on a guess. What stands behind a forgotten `ENDP` belongs to another program than it seems to. A name that
+//! ATTACH SLAVE gives to an axis although no axis can have it is refused there, and not again at each of its uses.
 
 use acrc_analysis::FileContext;
+use acrc_analysis::index::Name;
 use acrc_diagnostics::{Diagnostic, Severity, Span};
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Separator, Statement, StatementKind};
+
+use crate::rules::names::axis_name;
 
 /// The stretches of a file in which rules are not heard.
 pub(crate) struct Consequences {
     /// In order and disjoint.
     spans: Vec<Span>,
+    /// Names of axes that are too long to be read as such.
+    long_names: Vec<Name>,
 }
 
 impl Consequences {
@@ -32,7 +38,7 @@ impl Consequences {
             }
             joins
         });
-        Self { spans }
+        Self { spans, long_names: long_names(file) }
     }
 
     /// Whether a finding lies in such a stretch.
@@ -42,12 +48,35 @@ impl Consequences {
         before.is_some_and(|span| finding.span.end <= span.end)
     }
 
+    /// Whether an error of the parser is only that it does not know a name that an ATTACH SLAVE of the program gives, and
+    /// that is too long for an axis.
+    pub(crate) fn hide_error(&self, error: &Diagnostic, text: &str) -> bool {
+        let written = text.get(error.span.range()).unwrap_or_default();
+        self.long_names.iter().any(|name| name.eq_ignore_ascii_case(written))
+    }
+
     /// Whether rules may have been silenced in a part of the text.
     pub(crate) fn touch(&self, part: Span) -> bool {
         let after = self.spans.partition_point(|span| span.start < part.end);
         let before = after.checked_sub(1).and_then(|index| self.spans.get(index));
         before.is_some_and(|span| part.start < span.end)
     }
+}
+
+/// The names that are too long, among those that the programs of the file give to their axes.
+fn long_names(file: &FileContext<'_>) -> Vec<Name> {
+    if file.tree.errors().is_empty() {
+        return Vec::new();
+    }
+    let tables = file.index.sections.iter().filter_map(|section| file.environment.axes_at(section.section.level));
+    let mut names: Vec<Name> = tables
+        .flat_map(|table| table.names.iter().map(|(name, _)| name))
+        .filter(|name| name.len() > axis_name::LONGEST && name.bytes().all(|byte| byte.is_ascii_alphabetic()))
+        .cloned()
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    names
 }
 
 /// The statement that an error of the parser is about, with the one before it when what follows that is the error.
@@ -65,7 +94,7 @@ fn broken_at(tree: &Tree, error: Span) -> Option<Span> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, lint};
+    use crate::testing::{codes, codes_in, lint};
 
     #[test]
     fn a_broken_statement_costs_one_finding() {
@@ -86,6 +115,21 @@ mod tests {
             let found = lint(&[("test.8K", &text)]).concat();
             assert_eq!(found.len(), 1, "{statement}: {found:#?}");
         }
+    }
+
+    #[test]
+    fn a_name_that_is_too_long_for_an_axis_costs_one_finding() {
+        let setup = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"BRIDGE\"\nATTACH SLAVE1 AXIS1 \"H\"\n";
+        let program = "PROGRAM\nDRIVE ON BRIDGE H\nH10\nBRIDGE4000\nBridge 0\nENDP\nPROG1\nPROGRAM\nENDP\n";
+        let found = lint(&[("Setup.8K", setup), ("Prog0.8K", program)]);
+        assert_eq!(codes_in(setup, &found[0]), [(3, "ACR205")]);
+        assert_eq!(codes_in(program, &found[1]), []);
+        let unknown = "PROGRAM\nBRIDGES4000\nENDP\n";
+        let found = lint(&[("Setup.8K", setup), ("Prog0.8K", unknown)]);
+        assert_eq!(codes_in(unknown, &found[1]), [(2, "ACR001")]);
+        let elsewhere = "PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS2 \"Z\"\nPROGRAM\nBRIDGE4000\nENDP\n";
+        let found = lint(&[("Setup.8K", setup), ("Prog1.8K", elsewhere)]);
+        assert_eq!(codes_in(elsewhere, &found[1]), [(5, "ACR001")]);
     }
 
     #[test]

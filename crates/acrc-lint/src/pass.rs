@@ -51,7 +51,8 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
     let consequences = Consequences::new(file);
     let mut found = context.into_findings();
     found.retain(|finding| !consequences.hide(finding));
-    found.extend_from_slice(file.tree.errors());
+    let errors = file.tree.errors().iter().filter(|error| !consequences.hide_error(error, file.text));
+    found.extend(errors.cloned());
     found.extend_from_slice(file.encoding);
     found.retain(|finding| settings.hear(finding));
     suppress::apply(file, &settings, &consequences, &mut found);

@@ -24,7 +24,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 /// The longest name in letters.
-const LONGEST: usize = 4;
+pub(crate) const LONGEST: usize = 4;
 
 fn check(context: &mut Context<'_>, statement: &Statement) {
     let StatementKind::Command(attach) = &statement.kind else { return };
