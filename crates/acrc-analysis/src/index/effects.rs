@@ -30,6 +30,8 @@ pub struct Effects {
     pub user: Vec<UserWrite>,
     /// The axes and masters that its commands name by their numbers.
     pub objects: Vec<(ObjectKind, u32)>,
+    /// Its programs name axes.
+    pub names_axes: bool,
     /// The programs whose text it holds.
     pub programs: Vec<Level>,
 }
@@ -111,6 +113,7 @@ impl<'a> Collector<'a> {
             StatementKind::Input(input) => input.variables.iter().for_each(|variable| self.assigned(level, variable)),
             _ => {}
         }
+        self.effects.names_axes |= matches!(level, Level::Program(_)) && walk::axes(statement).next().is_some();
         self.watched(level, stored, statement);
     }
 

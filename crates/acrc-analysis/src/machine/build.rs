@@ -5,7 +5,7 @@ use acrc_syntax::units::Level;
 
 use super::Machine;
 use crate::deed::{self, Deed, On};
-use crate::index::{AliasTarget, AttachmentKind, Effects, Exports, Use, WriteKind};
+use crate::index::{AliasTarget, Attachment, AttachmentKind, Effects, Exports, Use, WriteKind};
 use crate::symbols::{AliasSymbol, Symbols};
 
 /// An alias of a flag or parameter that does something when it is written.
@@ -30,6 +30,10 @@ impl Machine {
         let scaled = |(_, effects): &(_, &Effects)| effects.uses.iter().any(|used| used.deed == Deed::PulsesPerUnit);
         let set_up = machine.complete || files.iter().any(scaled);
         machine.complete = set_up && !machine.masters.is_empty() && !machine.axes.is_empty();
+        if files.iter().all(|(exports, _)| exports.attachments.iter().all(is_detachment)) {
+            let naming = (0..).zip(files).find(|(_, (_, effects))| effects.names_axes);
+            machine.unattached = naming.map(|(file, _)| file);
+        }
         for (_, effects) in files {
             machine.programs.extend_from_slice(&effects.programs);
         }
@@ -211,6 +215,10 @@ impl<'a> Lever<'a> {
         let deeds: Vec<_> = HOW.into_iter().flat_map(of).collect();
         (!deeds.is_empty()).then_some(Self { alias, deeds })
     }
+}
+
+fn is_detachment(attachment: &Attachment) -> bool {
+    matches!(attachment.kind, AttachmentKind::Detach { .. } | AttachmentKind::DetachAll)
 }
 
 fn sort<T: Ord>(list: &mut Vec<T>) {

@@ -29,6 +29,8 @@ pub struct Machine {
     /// The project shows how its controller is set up: it attaches masters and axes, and says what an axis is. What
     /// such a project does nowhere is probably done nowhere.
     pub complete: bool,
+    /// The first file whose programs name axes, in a project that attaches nothing at all.
+    pub unattached: Option<u32>,
     /// The programs whose text the project holds, sorted.
     pub programs: Vec<Level>,
     /// Axes whose output is steps.

@@ -46,6 +46,18 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
     }
 }
 
+/// Whether this rule tells of the present statement together with the one before it.
+pub(crate) fn follows_report(context: &Context<'_>, statement: &Statement) -> bool {
+    let StatementKind::Command(motion) = &statement.kind else { return false };
+    if statement.separator != Separator::Blank || motion.id != command::AXIS_MOVE {
+        return false;
+    }
+    let before = context.statement().checked_sub(1).and_then(|at| context.tree().statements().get(at as usize));
+    let has_target = matches!(motion.arguments.first(), Some(Argument::Axis(axis)) if axis.value.is_some());
+    has_target
+        && matches!(before.map(|before| &before.kind), Some(StatementKind::Command(setting)) if is_report(setting))
+}
+
 /// A setting that has a value, and is written without one.
 fn is_report(setting: &Command) -> bool {
     let row = setting.id.info();

@@ -1,5 +1,6 @@
 //! `ACR204`: an axis name that the program does not have.
 
+use acrc_analysis::deed::acts;
 use acrc_analysis::{AxisTable, walk};
 use acrc_catalog::command::AXIS_MOVE;
 use acrc_diagnostics::{Code, Diagnostic, Edit, Fix, Severity};
@@ -8,6 +9,7 @@ use acrc_syntax::units::Level;
 
 use crate::near_command::{exchanged_letters, near_command};
 use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rules::arguments::report_before_move;
 use crate::{Context, level_name};
 
 pub(crate) static RULE: Rule = Rule {
@@ -17,7 +19,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Error,
         enabled: true,
         what: "A statement uses an axis name that no ATTACH SLAVE gives in this program. A misspelt command looks the \
-               same: `VLE 5` reads as a move of an axis named VLE.",
+               same: `VLE 5` reads as a move of an axis named VLE. In a project that attaches nothing at all it is one \
+               advice a project, as attachments may have been made by hand and stay on the controller.",
         why: "An axis name is valid in its own program only. Without the attachment the move is refused when the \
               program gets there, in the middle of the cycle.",
         bad: "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nX10 Y20\nENDP",
@@ -28,6 +31,9 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, statement: &Statement) {
+    if report_before_move::follows_report(context, statement) {
+        return;
+    }
     let level = context.level();
     for axis in walk::axes(statement) {
         match context.environment().axes_at(level) {
@@ -38,7 +44,7 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
                     context.report(diagnostic);
                 }
             }
-            None => without_attachments(context, axis, level),
+            None => without_attachments(context, axis, statement),
         }
     }
 }
@@ -57,25 +63,50 @@ fn not_among(context: &Context<'_>, axis: &Axis, statement: &Statement, table: &
 }
 
 /// One error a program is enough: the first axis stands for all.
-fn without_attachments(context: &mut Context<'_>, axis: &Axis, level: Level) {
+fn without_attachments(context: &mut Context<'_>, axis: &Axis, statement: &Statement) {
+    let level = context.level();
     // Which names a PLC program may use is not documented.
     if matches!(level, Level::Plc(_)) || context.reported_levels.contains(&level) {
         return;
     }
     context.reported_levels.push(level);
+    if let Some(first) = context.machine().unattached.filter(|_| level != Level::System) {
+        attached_by_hand(context, axis, first);
+        return;
+    }
     let name = context.slice(axis.name);
     let program = level_name(level);
+    let uses = if is_motion(statement) { "moves" } else { "uses the axis" };
     let diagnostic = match level {
         Level::System => RULE
             .at(axis.name, format!("the axis `{name}` is used at the SYS prompt, which has no axis names"))
             .with_help("switch to the program with PROGn, or address the axis by number (AXIS0)"),
         _ => RULE
-            .at(axis.name, format!("{program} moves `{name}`, but no ATTACH SLAVE names an axis for it"))
+            .at(axis.name, format!("{program} {uses} `{name}`, but no ATTACH SLAVE names an axis for it"))
             .with_help(format!(
                 "attach a master and the axis in the setup of {program}: ATTACH MASTER0, ATTACH SLAVE0 AXIS0 \"{name}\""
             )),
     };
     context.report(diagnostic);
+}
+
+/// Once a project that attaches nothing, in the first file that names an axis.
+fn attached_by_hand(context: &mut Context<'_>, axis: &Axis, first: u32) {
+    let is_told = context.reported_levels.iter().filter(|level| matches!(level, Level::Program(_))).count() > 1;
+    if is_told || context.environment().place != first {
+        return;
+    }
+    let message =
+        format!("the axis `{}` is used, but nothing in the project attaches an axis", context.slice(axis.name));
+    let diagnostic = RULE.at(axis.name, message).with_help(
+        "unless the controller keeps attachments that were made by hand, attach masters and axes in the setup: ATTACH \
+         MASTER0, ATTACH SLAVE0 AXIS0",
+    );
+    context.report(Diagnostic { severity: Severity::Advice, ..diagnostic });
+}
+
+fn is_motion(statement: &Statement) -> bool {
+    matches!(&statement.kind, StatementKind::Command(command) if acts(command).any(|act| act.deed.is_motion()))
 }
 
 /// In a piece of code without its surroundings any name may be an axis. Only a name that does not move, and a command
@@ -109,7 +140,7 @@ fn may_be_command(axis: &Axis, statement: &Statement) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{codes, codes_in, lint};
+    use crate::testing::{codes, codes_in, lines_of, lint};
 
     const X: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n";
 
@@ -130,7 +161,35 @@ mod tests {
 
     #[test]
     fn a_program_without_attachments_is_told_so_once() {
-        assert_eq!(codes("PROG0\nX10\nY20\nPROG1\nZ30\n"), [(2, "ACR204"), (5, "ACR204")]);
+        let attached = "PROG2\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n";
+        let text = format!("PROG0\nX10\nY20\nPROG1\nDRIVE ON Z\n{attached}");
+        let found = lint(&[("test.8K", &text)]).concat();
+        let messages: Vec<_> = found.iter().filter(|d| d.code.id == "ACR204").map(|d| &*d.message).collect();
+        assert_eq!(
+            messages,
+            [
+                "program 0 moves `X`, but no ATTACH SLAVE names an axis for it",
+                "program 1 uses the axis `Z`, but no ATTACH SLAVE names an axis for it"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_project_without_attachments_is_advised_once() {
+        let (first, second) = ("PROG0\nDETACH\nDWL 1\nDRIVE ON Z\nX10\nPROG2\nX0\n", "PROG1\nY10\n");
+        assert_eq!(
+            lines_of("ACR204", &[("a.8K", "PROG0\nDWL 1\n"), ("b.8K", first), ("c.8K", second)]),
+            [vec![], vec![4], vec![]]
+        );
+        assert_eq!(codes(first), []);
+        assert_eq!(codes("PROG0\nX10\nSYS\nY5\n"), [(4, "ACR204")], "SYS has no axes");
+        assert_eq!(codes("ATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nX10\n"), [(3, "ACR204")], "a setup that is incomplete");
+    }
+
+    #[test]
+    fn a_setting_that_reads_as_a_report_and_a_move_is_told_of_once() {
+        assert_eq!(in_program("VEL Z5"), [(4, "ACR208")]);
+        assert_eq!(in_program("VEL : Z5"), [(4, "ACR204")]);
     }
 
     #[test]
