@@ -30,8 +30,8 @@ pub struct Effects {
     pub user: Vec<UserWrite>,
     /// The axes and masters that its commands name by their numbers.
     pub objects: Vec<(ObjectKind, u32)>,
-    /// Its programs name axes.
-    pub names_axes: bool,
+    /// The programs that name axes.
+    pub naming_axes: Vec<Level>,
     /// The programs whose text it holds.
     pub programs: Vec<Level>,
 }
@@ -113,7 +113,10 @@ impl<'a> Collector<'a> {
             StatementKind::Input(input) => input.variables.iter().for_each(|variable| self.assigned(level, variable)),
             _ => {}
         }
-        self.effects.names_axes |= matches!(level, Level::Program(_)) && walk::axes(statement).next().is_some();
+        let known = self.effects.naming_axes.last() == Some(&level) || !matches!(level, Level::Program(_));
+        if !known && walk::axes(statement).next().is_some() {
+            self.effects.naming_axes.push(level);
+        }
         self.watched(level, stored, statement);
     }
 
@@ -247,6 +250,7 @@ impl<'a> Collector<'a> {
         sort(&mut effects.aliases);
         sort(&mut effects.writes);
         sort(&mut effects.programs);
+        sort(&mut effects.naming_axes);
         effects
     }
 }

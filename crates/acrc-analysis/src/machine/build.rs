@@ -31,7 +31,7 @@ impl Machine {
         let set_up = machine.complete || files.iter().any(scaled);
         machine.complete = set_up && !machine.masters.is_empty() && !machine.axes.is_empty();
         if files.iter().all(|(exports, _)| exports.attachments.iter().all(is_detachment)) {
-            let naming = (0..).zip(files).find(|(_, (_, effects))| effects.names_axes);
+            let naming = (0..).zip(files).find(|(_, (_, effects))| !effects.naming_axes.is_empty());
             machine.unattached = naming.map(|(file, _)| file);
         }
         for (_, effects) in files {
@@ -65,6 +65,7 @@ impl Machine {
                     match axis {
                         Some(axis) if stepper => self.steppers.add(axis),
                         None if stepper => self.steppers.open(),
+                        Some(axis) => self.servos.add(axis),
                         _ => {}
                     }
                 }
