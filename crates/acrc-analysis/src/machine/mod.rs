@@ -35,6 +35,8 @@ pub struct Machine {
     pub programs: Vec<Level>,
     /// Axes whose output is steps.
     pub steppers: AxisSet,
+    /// Axes whose output is of another kind, by ATTACH AXIS.
+    pub servos: AxisSet,
     /// By deed: the axes to which it is done.
     axis_deeds: [AxisSet; Deed::COUNT],
     /// Deeds that are done to a master or a program, with its level, sorted.
@@ -82,6 +84,12 @@ impl Machine {
     pub fn first_file_with(&self, deeds: &[Deed], axis: u32) -> Option<u32> {
         let of_axis = self.first.iter().filter(|(deed, of, ..)| *of == axis && deeds.contains(deed));
         of_axis.map(|(.., file)| *file).min()
+    }
+
+    /// The axes that stored text sets in motion, each with the first file of the project where it does, more than once
+    /// where it does so in several ways.
+    pub fn moved(&self) -> impl Iterator<Item = (u32, u32)> {
+        self.first.iter().map(|(_, axis, _, file)| (*axis, *file))
     }
 
     /// The programs whose stored text sets an axis in motion, each with the first file of the project where it does, in

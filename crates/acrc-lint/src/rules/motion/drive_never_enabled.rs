@@ -14,9 +14,10 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "A program moves an axis, and nothing in the project enables its drive: neither DRIVE ON nor its enable \
-               flag (8465 + 32 * axis). Only projects that enable drives are judged; where the setup hands the drive's \
-               signals to the controller and no drive at all is enabled, it is advice, as a host or an operator may do \
-               it. Axes with step outputs are left out.",
+               flag (8465 + 32 * axis). Where the project enables no drive at all it is advice, as a host or an operator may \
+               do it, or the drives may be wired to be always on: for each axis whose drive hands its signals to the \
+               controller, otherwise once a project, at its first motion of an axis with an ATTACH AXIS. Axes with \
+               step outputs are left out.",
         why: "The profile runs while the motor has no power: the following error grows until the axis is killed, and \
               the program waits for a motion that never happens.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nVEL 5\n\
@@ -31,6 +32,10 @@ pub(crate) static RULE: Rule = Rule {
 fn check(context: &mut Context<'_>) {
     let machine = context.machine();
     let others = !machine.axes_with(Deed::DriveOn).is_empty();
+    if !others && machine.axes_with(Deed::DriveSignals).is_empty() {
+        check_whole_project(context);
+        return;
+    }
     for motion in first_motions(context, &Deed::MOTION) {
         let judged = others || machine.axes_with(Deed::DriveSignals).has(motion.axis);
         if judged && machine.never(Deed::DriveOn, motion.axis) && !machine.steppers.may_have(motion.axis) {
@@ -43,11 +48,31 @@ fn check(context: &mut Context<'_>) {
     }
 }
 
+/// Once a project that enables nothing, at its first motion.
+fn check_whole_project(context: &mut Context<'_>) {
+    let machine = context.machine();
+    let has_servo = |axis: u32| machine.servos.has(axis) && !machine.steppers.may_have(axis);
+    let first = machine.moved().filter(|(axis, _)| has_servo(*axis)).map(|(_, file)| file).min();
+    if first != Some(context.environment().place) {
+        return;
+    }
+    let motion = context.motions().iter().find(|motion| has_servo(motion.axis)).copied();
+    if let Some(motion) = motion.filter(|_| machine.complete) {
+        let (axis, verb) = (axis_name(context, &motion), verb(&motion));
+        let message = format!("{axis} {verb}, but nothing in the project enables a drive");
+        let help = format!(
+            "unless a host enables the drives, or their wiring does, enable each before it moves: DRIVE ON {}",
+            context.slice(motion.span)
+        );
+        context.report(Diagnostic { severity: Severity::Advice, ..RULE.at(motion.span, message).with_help(help) });
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use acrc_diagnostics::Severity;
 
-    use crate::testing::{lint, spans_of};
+    use crate::testing::{lines_of, lint, spans_of};
 
     const SETUP: &str = "#DEFINE EnableY BIT8497\nATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 \
                          AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n";
@@ -84,11 +109,28 @@ mod tests {
 
     #[test]
     fn a_project_that_enables_no_drive_leaves_it_to_others() {
-        assert_eq!(found("", "X10 Y10"), [""; 0]);
         let text = format!("{SETUP}SYS\nSET BIT8468\nPROG0\nPROGRAM\nX10 Y10\nENDP\n");
         let found = lint(&[("test.8K", &text)]).concat();
         let own: Vec<_> = found.iter().filter(|found| found.code.id == "ACR505").collect();
         assert_eq!(own.iter().map(|found| found.severity).collect::<Vec<_>>(), [Severity::Advice]);
+    }
+
+    #[test]
+    fn a_project_that_enables_nothing_is_advised_once() {
+        let setup = |axes: &str| format!("{axes}{SETUP}");
+        let program = "PROGRAM\nJOG FWD Y\nX10 Y10\nENDP\n";
+        let second = "PROG0\nPROGRAM\nX10\nENDP\n";
+        let lines =
+            |axes: &str| lines_of("ACR505", &[("Setup.8K", &setup(axes)), ("Prog0.8K", program), ("b.8K", second)]);
+        assert_eq!(lines(""), [vec![], vec![3], vec![]], "the first axis that has a servo output");
+        assert_eq!(lines("ATTACH AXIS1 ENC1 DAC1 ENC1\n"), [vec![], vec![2], vec![]]);
+        assert_eq!(lines("SET 8465\nSET 8497\n"), [[0; 0]; 3]);
+        let text = format!("{SETUP}{program}");
+        let found = lint(&[("test.8K", &text)]).concat();
+        let own: Vec<_> = found.iter().filter(|found| found.code.id == "ACR505").collect();
+        assert_eq!(own.iter().map(|found| found.severity).collect::<Vec<_>>(), [Severity::Advice]);
+        let steps = text.replace("DAC0", "STEPPER0");
+        assert_eq!(spans_of("ACR505", &steps), [""; 0]);
     }
 
     #[test]
