@@ -125,6 +125,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &motion::wait_for_other_axis::RULE,
     &motion::coordinated_wait_for_jog::RULE,
     &motion::jog_stopped_at_once::RULE,
+    &motion::setting_given_twice::RULE,
     &style::keyword_case::RULE,
     &style::remark_costs_memory::RULE,
     &style::magic_bit_number::RULE,

@@ -24,6 +24,7 @@ pub(crate) mod ramp_never_set;
 pub(crate) mod reversed_limits;
 pub(crate) mod runs_empty_program;
 pub(crate) mod second_master;
+pub(crate) mod setting_given_twice;
 pub(crate) mod slash_outside_linear_move;
 pub(crate) mod slave_before_master;
 pub(crate) mod software_limits_not_set;
