@@ -65,8 +65,9 @@ fn waiting_loop(statements: &[Statement], at: u32) -> Option<u32> {
     if !is_command(statements.get(at as usize)?, command::WHILE) {
         return None;
     }
-    let end = (at + 1..).find(|at| statements.get(*at as usize).is_none_or(|s| !passes_time(s)))?;
-    statements.get(end as usize).filter(|statement| is_command(statement, command::WEND)).map(|_| end)
+    let behind = statements.get(at as usize + 1..)?;
+    let inside = behind.iter().take_while(|statement| passes_time(statement)).count();
+    behind.get(inside).filter(|statement| is_command(statement, command::WEND)).map(|_| at + 1 + inside as u32)
 }
 
 /// The WHILE of the loop that the statement at `at` ends, if the loop only waits.
