@@ -52,6 +52,7 @@ impl Machine {
         sort(&mut self.level_deeds);
         sort(&mut self.first);
         sort(&mut self.first_moves);
+        sort(&mut self.enabled);
     }
 
     fn attach(&mut self, exports: &Exports) {
@@ -132,9 +133,8 @@ impl Machine {
         if deed == Deed::Move && self.first_file_moving(level).is_none() {
             self.first_moves.push((level, file));
         }
-        // Enabling a drive clears the kill requests (guide, "Kill All Motion Request").
         if deed == Deed::DriveOn {
-            self.add_to_axis(Deed::KillCleared, axis);
+            self.enabled.push((axis, level));
         }
     }
 

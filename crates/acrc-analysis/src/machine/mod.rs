@@ -45,6 +45,8 @@ pub struct Machine {
     open_levels: [bool; Deed::COUNT],
     /// Motion in stored text by axis and program, with the first file that has it, sorted.
     first: Vec<(Deed, u32, Level, u32)>,
+    /// Axes whose drives stored text enables, with the programs, sorted. No axis where its number is not known.
+    enabled: Vec<(Option<u32>, Level)>,
     /// Coordinated moves in stored text by level, with the first file that has them, sorted.
     first_moves: Vec<(Level, u32)>,
 }
@@ -84,6 +86,12 @@ impl Machine {
     pub fn first_file_with(&self, deeds: &[Deed], axis: u32) -> Option<u32> {
         let of_axis = self.first.iter().filter(|(deed, of, ..)| *of == axis && deeds.contains(deed));
         of_axis.map(|(.., file)| *file).min()
+    }
+
+    /// The programs whose stored text enables, or may enable, the drive of an axis, which clears its kill too (guide, "Kill
+    /// All Motion Request").
+    pub fn programs_enabling(&self, axis: u32) -> impl Iterator<Item = Level> {
+        self.enabled.iter().filter(move |(of, _)| of.is_none_or(|of| of == axis)).map(|(_, level)| *level)
     }
 
     /// The axes that stored text sets in motion, each with the first file of the project where it does, more than once

@@ -1,10 +1,14 @@
 //! `ACR511`: an axis that can be killed, and that nothing sets free again.
 
-use acrc_analysis::Deed;
-use acrc_diagnostics::{Code, Severity};
+use acrc_analysis::{Deed, SectionIndex, walk};
+use acrc_catalog::{OperandClass, command};
+use acrc_diagnostics::{Code, Severity, Span};
+use acrc_syntax::ast::{Statement, StatementKind};
 
-use super::{axis_name, first_motions};
+use super::{axis_name, first_motions, straight};
 use crate::Context;
+use crate::operands::condition;
+use crate::references::meaning;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -15,7 +19,8 @@ pub(crate) static RULE: Rule = Rule {
         enabled: true,
         what: "An axis that programs move has hardware limits, or the response to an excess of following error, \
                switched on; and nothing in the project clears its kill request (8467 + 32 * axis), in words or by a \
-               DRIVE ON in a program.",
+               DRIVE ON in a program. Where a condition of a program looks whether the axis was killed, a DRIVE ON \
+               before the first label and loop of that program does not count: it is not executed again.",
         why: "A limit sets the kill request of the axis and of all axes of its master. Every motion is refused until \
               somebody clears it, and then Kill All Moves of the master: without a program that does so the machine \
               stands until a person at a terminal sends Ctrl-Y.",
@@ -24,8 +29,11 @@ pub(crate) static RULE: Rule = Rule {
                _Recover\nCLR 8467 : CLR 522\nRETURN\nENDP",
         guide: "Programming Basics / Kill All Motion Request vs. Kill All Moves",
     },
-    checks: &[Check::File(check)],
+    checks: &[Check::File(check), Check::Section(check_recovery)],
 };
+
+/// The flag of a killed axis.
+const KILLED: &str = "kill_all_motion_request";
 
 fn check(context: &mut Context<'_>) {
     let machine = context.machine();
@@ -36,17 +44,77 @@ fn check(context: &mut Context<'_>) {
             (false, true) => "an excess of following error",
             (false, false) => continue,
         };
-        if machine.never(Deed::KillCleared, motion.axis) {
+        if machine.never(Deed::KillCleared, motion.axis) && machine.programs_enabling(motion.axis).next().is_none() {
             let axis = axis_name(context, &motion);
             let message = format!("{by} kills the motion of {axis}, and nothing in the project sets it free again");
-            let flag = acrc_catalog::bit_number("kill_all_motion_request", motion.axis);
-            let flag = flag.map(|flag| format!(" (CLR {flag})")).unwrap_or_default();
-            context.report(RULE.at(motion.span, message).with_help(format!(
-                "where the program recovers from a stop, clear the kill request of the axis{flag}, then Kill All Moves \
-                 of its master"
-            )));
+            context.report(RULE.at(motion.span, message).with_help(help(motion.axis)));
         }
     }
+}
+
+fn help(axis: u32) -> String {
+    let flag = acrc_catalog::bit_number(KILLED, axis).map(|flag| format!(" (CLR {flag})")).unwrap_or_default();
+    format!(
+        "where the program recovers from a stop, clear the kill request of the axis{flag}, then Kill All Moves of its \
+         master"
+    )
+}
+
+/// A program that looks whether an axis was killed, and enables its drive at the start only.
+fn check_recovery(context: &mut Context<'_>, section: &SectionIndex) {
+    let (machine, level) = (context.machine(), section.section.level);
+    // Who starts the program again executes its start again.
+    let starts_once = machine.never_at(Deed::Run, level) && section.lines.is_empty();
+    if !machine.complete || !starts_once || !context.is_whole_program(section) {
+        return;
+    }
+    let range = section.section.statements.start as usize..section.section.statements.end as usize;
+    let statements = context.tree().statements().get(range).unwrap_or_default();
+    let start = statements.iter().position(comes_again).unwrap_or(statements.len());
+    let again = statements.get(start..).unwrap_or_default();
+    let enabled: Vec<_> = again
+        .iter()
+        .flat_map(|statement| straight::deeds(context, statement))
+        .filter(|(deed, _)| *deed == Deed::DriveOn)
+        .map(|(_, axis)| axis)
+        .collect();
+    let mut told = Vec::new();
+    let looks: Vec<_> = again.iter().flat_map(|statement| looks_at(context, statement)).collect();
+    for (axis, span) in looks {
+        let mut enabling = machine.programs_enabling(axis);
+        let only_here = enabling.next().is_some_and(|first| first == level) && enabling.all(|other| other == level);
+        let moves = context.motions().iter().any(|motion| motion.axis == axis && motion.level == level);
+        let is_cleared =
+            !machine.never(Deed::KillCleared, axis) || enabled.iter().any(|on| on.is_none_or(|on| on == axis));
+        if moves && only_here && !is_cleared && !told.contains(&axis) {
+            told.push(axis);
+            let message = format!("the program looks whether AXIS{axis} was killed, and nothing sets it free again");
+            context.report(RULE.at(span, message).with_help(help(axis)));
+        }
+    }
+}
+
+/// Whether what stands behind a statement may be executed again.
+fn comes_again(statement: &Statement) -> bool {
+    match &statement.kind {
+        StatementKind::Label(_) | StatementKind::For(_) | StatementKind::Error => true,
+        StatementKind::Command(command) => command.id == command::WHILE,
+        _ => false,
+    }
+}
+
+/// The axes whose kill requests a condition looks at, with the places.
+fn looks_at(context: &Context<'_>, statement: &Statement) -> Vec<(u32, Span)> {
+    let mut found = Vec::new();
+    let Some(condition) = condition(statement) else { return found };
+    walk::each(condition, &mut |expr| {
+        if let Some((OperandClass::Bit, number)) = meaning(context, expr)
+            && let Some(axis) = u32::try_from(number).ok().map(acrc_catalog::bit).filter(|flag| flag.field == KILLED)
+        {
+            found.extend(axis.object_index.map(|axis| (axis, expr.span)));
+        }
+    });
+    found
 }
 
 #[cfg(test)]
@@ -67,6 +135,23 @@ mod tests {
         assert_eq!(found("SET 8501", ""), ["Y"]);
         assert_eq!(found("HLIM X3\nDRIVE ON X", ""), ["X"], "the setup is not executed again");
         assert_eq!(found("", ""), [""; 0]);
+    }
+
+    #[test]
+    fn a_program_that_looks_and_does_not_clear() {
+        let look = |first: &str, then: &str, end: &str| {
+            let text = format!(
+                "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3\nPROGRAM\n{first}\nDRIVE ON \
+                 X\n_A\nX10\nIF (BIT 8467) THEN GOSUB B\nGOTO A\n_B\n{then}\nRETURN\nENDP\n{end}"
+            );
+            spans_of("ACR511", &text).into_iter().map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!(look("PBOOT", "CLR 16132", ""), ["BIT 8467"]);
+        assert_eq!(look("PBOOT", "CLR 8467", ""), [""; 0]);
+        assert_eq!(look("PBOOT", "DRIVE ON X", ""), [""; 0]);
+        assert_eq!(look("_Start", "CLR 16132", ""), [""; 0], "it may be executed again");
+        assert_eq!(look("PBOOT", "CLR 16132", "PROG1\nPROGRAM\nDRIVE ON AXIS0\nENDP\n"), [""; 0], "another program");
+        assert_eq!(look("PBOOT", "CLR 16132", "PROG1\nPROGRAM\nRUN PROG0\nENDP\n"), [""; 0], "it is started again");
     }
 
     #[test]
