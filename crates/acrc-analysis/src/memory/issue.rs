@@ -18,7 +18,7 @@ pub struct Issue {
 /// A place, so named that it stays the same while text moves about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Site {
-    /// An event of the file ([`MemoryEvents::events`]).
+    /// An event of the file ([`super::MemoryEvents::events`]).
     Event(u32),
     /// A definition of an alias ([`crate::FileIndex::defines`]).
     Define(u32),
