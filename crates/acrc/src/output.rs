@@ -102,10 +102,17 @@ impl OutputFile {
     /// Begins a file. Fails at once when its folder does not exist or cannot be written.
     pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
         let refuse = || format!("cannot write {}", path.display());
+        if let Some(stream) = standard_stream(path) {
+            let place = Place::Direct(stream.with_context(refuse)?);
+            return Ok(Self {
+                path: path.to_owned(),
+                permissions: None,
+                file: BufWriter::with_capacity(1 << 16, place),
+            });
+        }
         // A link keeps pointing where it points; its target is what is written.
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let place = match target.metadata() {
-            Ok(found) if found.is_dir() => anyhow::bail!("{}: it is a directory", refuse()),
             Ok(found) if !found.is_file() => {
                 Place::Direct(File::options().write(true).open(&target).with_context(refuse)?)
             }
@@ -138,6 +145,23 @@ impl OutputFile {
             }
         }
     }
+}
+
+/// `/dev/stdout` and `/dev/stderr`: what else is written there stays, also when they are files.
+#[cfg(unix)]
+fn standard_stream(path: &Path) -> Option<io::Result<File>> {
+    use std::os::fd::AsFd as _;
+    let stream = match path.to_str()? {
+        "/dev/stdout" => io::stdout().as_fd().try_clone_to_owned(),
+        "/dev/stderr" => io::stderr().as_fd().try_clone_to_owned(),
+        _ => return None,
+    };
+    Some(stream.map(File::from))
+}
+
+#[cfg(not(unix))]
+fn standard_stream(_: &Path) -> Option<io::Result<File>> {
+    None
 }
 
 /// An error without the name of the temporary file, which says nothing to the user.

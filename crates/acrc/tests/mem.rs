@@ -181,3 +181,16 @@ fn what_cannot_be_counted() {
     bench.file("empty.8K", "");
     bench.acrc(["mem", "empty.8K"]).expect(0);
 }
+
+#[test]
+fn what_is_used_without_memory_does_not_fit() {
+    let bench = Bench::new();
+    bench.file("p/Setup.8K", "CLEAR\nDIM PROG0(1000)\nDIM P(4)\n");
+    bench.file("p/Prog0.8K", "PROGRAM\nP9 = 1\nLV0 = 1\nENDP\n");
+    let account = bench.account("p", 1);
+    assert_eq!(account["over"], true);
+    let reasons: Vec<_> = account["refused"].as_array().expect("a list").iter().map(|one| &one["reason"]).collect();
+    assert_eq!(reasons, ["index-outside-dim", "undimensioned-variable"]);
+    let run = bench.acrc(["mem", "p"]).expect(1);
+    assert!(run.stdout.contains("Prog0.8K:2: P9 is outside DIM P(4)"), "{}", run.stdout);
+}

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use acrc_syntax::units::Level;
 use camino::Utf8PathBuf;
-use serde::Deserialize;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
 
 use super::{FileGlob, LintConfig};
 
@@ -56,6 +57,7 @@ pub struct FmtConfig {
     /// The case of the words of the language.
     pub keyword_case: Option<KeywordCase>,
     /// Blanks by which a block is indented.
+    #[serde(deserialize_with = "indent")]
     pub indent: Option<u8>,
     /// Where the statement stands that closes a block.
     pub block_ends: Option<BlockEnds>,
@@ -65,6 +67,16 @@ pub struct FmtConfig {
     pub align_tables: Option<bool>,
     /// Files that are left alone.
     pub exclude: Vec<FileGlob>,
+}
+
+/// The most blanks that a block is indented by.
+const WIDEST_INDENT: i64 = 16;
+
+fn indent<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u8>, D::Error> {
+    let blanks = i64::deserialize(deserializer)?;
+    let fits = u8::try_from(blanks).ok().filter(|_| blanks <= WIDEST_INDENT);
+    let refuse = || D::Error::custom(format!("{blanks} is no indentation: it is 0 to {WIDEST_INDENT} blanks"));
+    fits.map(Some).ok_or_else(refuse)
 }
 
 /// The case of the words of the language.

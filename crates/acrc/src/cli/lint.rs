@@ -59,7 +59,7 @@ pub(crate) struct SelectionArguments {
     #[arg(long, value_name = "RULE,...", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
     /// List the rules and which of them are on
-    #[arg(long, conflicts_with_all = ["repair", "baseline", "statistics"])]
+    #[arg(long, conflicts_with_all = ["repair", "baseline", "statistics", "output_file"])]
     pub(crate) rules: bool,
 }
 
@@ -71,7 +71,7 @@ pub(crate) struct RepairArguments {
     #[arg(long)]
     pub(crate) fix: bool,
     /// Show what --fix would change, and write nothing
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["format", "output_file", "write_baseline"])]
     pub(crate) diff: bool,
     /// Also apply repairs that may change what a program does
     #[arg(long = "unsafe", requires = "repair")]
@@ -95,7 +95,7 @@ pub(crate) struct OutputArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) baseline: Option<PathBuf>,
     /// List in the file of --baseline what is found now
-    #[arg(long, requires = "baseline")]
+    #[arg(long, requires = "baseline", conflicts_with = "statistics")]
     pub(crate) write_baseline: bool,
     /// Show how often each rule finds something, instead of what it finds
     #[arg(long, conflicts_with = "diff")]

@@ -55,6 +55,10 @@ fn a_baseline_hides_what_was_there() {
     assert!(run.stdout.contains("no problems in 1 file\n3 findings of base.json not shown\n"), "{}", run.stdout);
     assert_eq!(with(&["--format", "concise"]).expect(0).stderr, "3 findings of base.json not shown\n");
 
+    // A rule that is not asked has nothing repaired.
+    let run = with(&["--select", "ACR102"]).expect(0);
+    assert!(!run.stdout.contains("repaired"), "{}", run.stdout);
+
     // Lines above come and go; a second jump of the same text is new, and what is repaired is told.
     bench.file("src/three.8K", THREE.replace("_A\n", "SET 32\n\nGOTO  Nowhere\n"));
     let run = with(&[]).expect(1);
@@ -132,4 +136,37 @@ fn help_shows_examples() {
         assert!(help.contains(expected), "{help}");
     }
     assert_eq!(lint(&Bench::new(), &["--statistics", "--diff"]), [""; 0]);
+}
+
+#[cfg(unix)]
+#[test]
+fn standard_output_by_its_name_keeps_what_was_written_before() {
+    let bench = Bench::new();
+    bench.file("three.8K", THREE);
+    let log = std::fs::File::create(bench.path("log")).expect("a file of ours");
+    let script = "echo before; \"$0\" lint three.8K -o /dev/stdout --format concise --fail-on never; echo after";
+    let status = std::process::Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_acrc")])
+        .current_dir(bench.path("."))
+        .stdout(log)
+        .status();
+    assert!(status.expect("a shell").success());
+    let log = String::from_utf8(bench.read("log")).expect("a report is text");
+    assert!(log.starts_with("before\nthree.8K:") && log.ends_with("after\n"), "{log}");
+}
+
+#[test]
+fn flags_that_would_be_ignored_are_refused() {
+    let bench = Bench::new();
+    bench.file("three.8K", THREE);
+    for flags in [
+        &["--diff", "--output-file", "x"][..],
+        &["--diff", "--format", "sarif"],
+        &["--diff", "--baseline", "b.json", "--write-baseline"],
+        &["--rules", "--output-file", "x"],
+        &["--statistics", "--baseline", "b.json", "--write-baseline"],
+    ] {
+        let run = bench.acrc(["lint", "three.8K"].iter().chain(flags)).expect(2);
+        assert!(run.stderr.contains("cannot be used with"), "{}", run.stderr);
+    }
 }

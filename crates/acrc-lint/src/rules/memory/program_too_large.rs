@@ -95,13 +95,15 @@ fn finding(context: &Context<'_>, site: Site, need: Need) -> Diagnostic {
     let dim = sites::dim(context, site).filter(|dim| dim.id.info().levels.sys());
     let (word, total) = (need.level, need.total());
     match dim.and_then(|dim| sites::resize(dim, total)) {
-        Some(fix) => diagnostic.with_help(format!("DIM {word}({total}) is just enough")).with_fix(fix),
+        Some(fix) => diagnostic.with_help(format!("DIM {word}({total}) is just enough for this")).with_fix(fix),
         None => {
             let label = match site {
                 Site::Text { .. } => "the first statement that no longer fits",
                 _ => "with this it no longer fits",
             };
-            diagnostic.with_label(label).with_help(format!("DIM {word}({total}) at the SYS prompt is just enough"))
+            diagnostic
+                .with_label(label)
+                .with_help(format!("DIM {word}({total}) at the SYS prompt is just enough for this"))
         }
     }
 }

@@ -31,7 +31,8 @@ pub(crate) fn finding<'t>(
 ) -> Diagnostic {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     let place = if in_file { "in this file" } else { "here" };
-    let finding = RULE.at(span, format!("{} finds nothing {place} to suppress", names.join(" and ")));
+    let verb = if names.len() == 1 { "finds" } else { "find" };
+    let finding = RULE.at(span, format!("{} {verb} nothing {place} to suppress", names.join(" and ")));
     match fix {
         Some(fix) => finding.with_fix(fix),
         None => finding,

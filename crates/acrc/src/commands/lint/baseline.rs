@@ -101,6 +101,12 @@ impl Baseline {
     /// Leaves out the findings that are listed.
     pub(super) fn hide(&mut self, checked: &mut Checked) -> Hidden {
         let mut hidden = Hidden::default();
+        // A rule that is off now finds nothing, which repairs nothing.
+        let off: Vec<&str> = acrc_lint::rule_states(&checked.project.config.lint)
+            .iter()
+            .filter(|state| !state.on)
+            .map(|state| state.doc.code.id)
+            .collect();
         let shown: Vec<(usize, String, LineIndex)> = checked
             .shown_files()
             .map(|(place, name, text)| (place, self.relative(checked, place, name), LineIndex::new(text)))
@@ -118,7 +124,8 @@ impl Baseline {
             });
             let first = Key { file: file.clone(), code: String::new(), fingerprint: String::new() };
             let of_file = self.entries.range_mut(first..).take_while(|(key, _)| key.file == file);
-            hidden.repaired += of_file.map(|(_, (_, count))| std::mem::take(count)).sum::<usize>();
+            let heard = of_file.filter(|(key, _)| !off.contains(&key.code.as_str()));
+            hidden.repaired += heard.map(|(_, (_, count))| std::mem::take(count)).sum::<usize>();
         }
         hidden
     }

@@ -118,7 +118,7 @@ pub(super) fn write(account: &Account<'_>, out: &mut dyn Write) -> io::Result<()
         version: VERSION,
         project: account.title.to_owned(),
         model: report.model.name,
-        over: report.is_over(),
+        over: account.is_over(),
         system: System {
             total: report.total,
             used: report.used(),
@@ -133,6 +133,11 @@ pub(super) fn write(account: &Account<'_>, out: &mut dyn Write) -> io::Result<()
             .refused
             .iter()
             .map(|(at, line, kind)| Refused { file: file(*at).unwrap_or_default(), line: *line, reason: reason(*kind) })
+            .chain(account.errors.iter().map(|error| Refused {
+                file: file(error.file).unwrap_or_default(),
+                line: error.line,
+                reason: error.rule,
+            }))
             .collect(),
         exact: report.exact().iter().map(ExactDim::from).collect(),
     };

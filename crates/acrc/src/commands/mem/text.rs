@@ -176,13 +176,16 @@ impl Page {
 
     fn refused(&self, text: &mut String, account: &Account<'_>) {
         let refused = &account.report.refused;
-        if refused.is_empty() {
+        if refused.is_empty() && account.errors.is_empty() {
             return;
         }
         text.push('\n');
         self.heading(text, "Refused by the controller", "", true);
         for (file, line, kind) in refused {
             let _ = writeln!(text, "{INDENT}{}: {}", account.place((*file, *line)), refusal(*kind));
+        }
+        for error in &account.errors {
+            let _ = writeln!(text, "{INDENT}{}: {}", account.place((error.file, error.line)), error.message);
         }
     }
 
