@@ -276,3 +276,12 @@ fn help_and_version_succeed() {
         assert!(bench.acrc([command, "--help"]).expect(0).stdout.contains("Usage: acrc"));
     }
 }
+
+#[test]
+fn a_misspelt_rule_is_guessed() {
+    let bench = Bench::new();
+    let run = bench.acrc(["explain", "undefined-lable"]).expect(2);
+    assert!(run.stderr.contains("did you mean the rule `undefined-label`?"), "{}", run.stderr);
+    let run = bench.acrc(["explain", "JGO"]).expect(2);
+    assert!(run.stderr.contains("JOG"), "{}", run.stderr);
+}

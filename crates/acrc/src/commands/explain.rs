@@ -1,5 +1,6 @@
 //! `acrc explain`: what the catalogue and the linter know of a topic.
 
+use acrc_analysis::nearest;
 use acrc_catalog::Explanation;
 use anyhow::bail;
 
@@ -20,13 +21,18 @@ pub(super) fn run(arguments: &ExplainArguments) -> anyhow::Result<Exit> {
         return Ok(Exit::Clean);
     }
     let explanation = acrc_catalog::explain(&topic);
+    if !matches!(explanation, Explanation::Entries(_))
+        && let Some(rule) = nearest(&topic.to_ascii_lowercase(), acrc_lint::rules().map(|doc| doc.code.name))
+    {
+        bail!("nothing is known of `{topic}`: did you mean the rule `{rule}`?");
+    }
     match &explanation {
         Explanation::Entries(_) => {
             print(|out| write!(out, "{}", explanation.render()))?;
             Ok(Exit::Clean)
         }
         Explanation::Near { suggestions, .. } if suggestions.is_empty() => bail!(
-            "nothing is known of `{topic}`; a command, a function, P12290, BIT8467, a model or a code can be explained"
+            "nothing is known of `{topic}`; a command, a function, P12290, BIT8467, a model, a rule or its code can be explained"
         ),
         Explanation::Near { suggestions, .. } => {
             let names: Vec<String> = suggestions.iter().map(|name| format!("`{name}`")).collect();
