@@ -56,6 +56,13 @@ pub(crate) fn spans_of<'t>(code: &str, text: &'t str) -> Vec<&'t str> {
     found.iter().map(|found| text.get(found.span.range()).unwrap_or_default()).collect()
 }
 
+/// The texts at which one rule finds something in the text of program 0, whose axes are X and Y.
+pub(crate) fn spans_in_program(code: &str, program: &str) -> Vec<String> {
+    let setup = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n";
+    let text = format!("{setup}PROGRAM\n{program}\nENDP\n");
+    spans_of(code, &text).into_iter().map(str::to_owned).collect()
+}
+
 /// Lines and codes of what is found in a single file, advice left out.
 pub(crate) fn codes(text: &str) -> Vec<(u32, &'static str)> {
     codes_in(text, &lint(&[("test.8K", text)]).concat())

@@ -64,14 +64,10 @@ fn stopped(context: &Context<'_>, command: &Command) -> Vec<(u32, Span)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::spans_of;
+    use crate::testing::spans_in_program;
 
     fn found(program: &str) -> Vec<String> {
-        let text = format!(
-            "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \
-             \"Y\"\nPROGRAM\n{program}\nENDP\n"
-        );
-        spans_of("ACR527", &text).into_iter().map(str::to_owned).collect()
+        spans_in_program("ACR527", program)
     }
 
     #[test]

@@ -108,14 +108,10 @@ fn jogged_since_wait(context: &Context<'_>, axis: u32, waits: &[Wait]) -> Option
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::spans_of;
+    use crate::testing::spans_in_program;
 
     fn found(program: &str) -> Vec<String> {
-        let text = format!(
-            "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \
-             \"Y\"\nPROGRAM\n{program}\nENDP\n"
-        );
-        spans_of("ACR525", &text).into_iter().map(str::to_owned).collect()
+        spans_in_program("ACR525", program)
     }
 
     #[test]
