@@ -1,7 +1,7 @@
 //! Files with their findings, ready to be shown, and the count of them.
 
-use std::cell::OnceCell;
 use std::fmt;
+use std::sync::OnceLock;
 
 use crate::{Diagnostic, LineIndex, Position, Severity, Span};
 
@@ -12,14 +12,14 @@ pub struct SourceFile<'a> {
     pub name: &'a str,
     /// The decoded text.
     pub text: &'a str,
-    index: OnceCell<LineIndex>,
+    index: OnceLock<LineIndex>,
 }
 
 impl<'a> SourceFile<'a> {
     /// A file of this name and text. Costs nothing yet.
     #[must_use]
     pub const fn new(name: &'a str, text: &'a str) -> Self {
-        Self { name, text, index: OnceCell::new() }
+        Self { name, text, index: OnceLock::new() }
     }
 
     /// The lines of the text.

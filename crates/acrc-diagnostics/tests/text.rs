@@ -239,3 +239,19 @@ fn without_escapes(text: &str) -> String {
     }
     out.lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
 }
+
+#[test]
+fn thousands_of_findings_in_many_files_come_in_their_order() {
+    let source = "GOSUB RETRACT\n".repeat(90);
+    let findings: Vec<_> = (0..90).map(|line| undefined(Span::new(line * 14 + 6, line * 14 + 13))).collect();
+    let names: Vec<_> = (0..40).map(|file| format!("part{file:02}.8K")).collect();
+    let shown = |names: &[String]| {
+        let reports: Vec<_> =
+            names.iter().map(|name| FileReport::new(SourceFile::new(name, &source), &findings)).collect();
+        let mut out = Vec::new();
+        text::render(&reports, PLAIN, &mut out).expect("writing to memory works");
+        String::from_utf8(out).expect("the output is text")
+    };
+    let one_by_one: String = names.iter().map(|name| shown(std::slice::from_ref(name))).collect();
+    assert!(shown(&names) == one_by_one);
+}

@@ -193,8 +193,8 @@ pub struct Define {
 /// A command of the catalogue with its arguments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Command {
-    /// Object prefix: `AXIS0` of `AXIS0 PPU 4000`.
-    pub prefix: Option<Object>,
+    /// Object prefix: `AXIS0` of `AXIS0 PPU 4000`. Few commands have one.
+    pub prefix: Option<Box<Object>>,
     /// The row of the catalogue.
     pub id: CommandId,
     /// All words of the name (`JOG HOME`); empty at the first argument for an axis move without a keyword.

@@ -14,7 +14,7 @@ use clap::Parser;
 use crate::exit::Exit;
 
 /// A check allocates many small things that live until the end, from several threads: with this allocator it takes little
-/// more than half the time.
+/// more than half the time. Without huge pages, which the kernel has to clear and to find first (feature `no_thp`).
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 

@@ -166,7 +166,7 @@ impl<'a> Collector<'a> {
             Argument::Object(object) => Some(object),
             _ => None,
         });
-        for object in command.prefix.iter().chain(arguments).filter(|_| names_objects(command.id)) {
+        for object in command.prefix.as_deref().into_iter().chain(arguments).filter(|_| names_objects(command.id)) {
             if let (ObjectKind::Axis | ObjectKind::Master, Some(index)) = (object.kind, object.index) {
                 self.objects.insert((object.kind, index));
             }

@@ -6,6 +6,7 @@
 
 mod excerpt;
 mod gutter;
+mod in_order;
 mod marks;
 
 use std::io::{self, Write};
@@ -17,6 +18,7 @@ use crate::remarks::remarks;
 use crate::{Diagnostic, FileReport, Severity, SourceFile};
 use excerpt::Excerpt;
 use gutter::{Gutter, Margin};
+use in_order::in_order;
 
 /// How findings are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,15 +32,9 @@ pub struct Options {
 /// Writes every finding of every file in the order of `reports`, each followed by an empty line. There is no summary:
 /// that is for the caller to print, see [`Summary`](crate::Summary).
 pub fn render(reports: &[FileReport<'_>], options: Options, out: &mut dyn Write) -> io::Result<()> {
-    let mut page = Vec::new();
-    for report in reports {
-        for diagnostic in report.diagnostics() {
-            page.clear();
-            render_one(report.file(), diagnostic, options, &mut page)?;
-            out.write_all(&page)?;
-        }
-    }
-    Ok(())
+    in_order(reports, out, |report, page| {
+        report.diagnostics().iter().try_for_each(|diagnostic| render_one(report.file(), diagnostic, options, page))
+    })
 }
 
 fn render_one(file: &SourceFile<'_>, diagnostic: &Diagnostic, options: Options, page: &mut Vec<u8>) -> io::Result<()> {

@@ -58,6 +58,7 @@ impl Reader<'_> {
 
     fn with_arguments(&mut self, prefix: Option<Object>, id: CommandId, name: Span) -> Read<StatementKind> {
         let arguments = self.arguments_of(id.info())?;
+        let prefix = prefix.map(Box::new);
         Ok(StatementKind::Command(Box::new(Command { prefix, id, name, arguments })))
     }
 

@@ -56,9 +56,15 @@ pub(crate) fn read(text: &str, lexed: Lexed) -> Tree {
     let mut reader = Reader::new(text, &lexed.tokens);
     reader.all_lines();
     reader.report_typography(&lexed.typographic);
-    let Reader { lines, statements, mut errors, cuts, remarks, .. } = reader;
+    let Reader { mut lines, mut statements, mut errors, cuts, remarks, .. } = reader;
     errors.sort_by_key(|error| error.span.start);
-    Tree { tokens: repair::tokens(lexed.tokens, &cuts, &remarks), lines, statements, errors }
+    let mut tokens = repair::tokens(lexed.tokens, &cuts, &remarks);
+    // Trees live long and are many.
+    tokens.shrink_to_fit();
+    lines.shrink_to_fit();
+    statements.shrink_to_fit();
+    errors.shrink_to_fit();
+    Tree { tokens, lines, statements, errors }
 }
 
 /// Reads one expression that is the whole text, up to its end.

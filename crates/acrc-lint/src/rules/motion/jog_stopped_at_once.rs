@@ -51,7 +51,8 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
 
 /// The axes of a JOG OFF, as far as they are known.
 fn stopped(context: &Context<'_>, command: &Command) -> Vec<(u32, Span)> {
-    let prefix = command.prefix.iter().map(|prefix| (On::Object(prefix.kind, prefix.index), prefix.name));
+    let prefix =
+        command.prefix.as_deref().into_iter().map(|prefix| (On::Object(prefix.kind, prefix.index), prefix.name));
     let arguments = command.arguments.iter().filter_map(|argument| match argument {
         Argument::Axis(axis) => Some((On::Axis(axis.name), axis.name)),
         Argument::Object(object) if object.kind == ObjectKind::Axis => {

@@ -160,7 +160,8 @@ fn axis_of(command: &Command) -> Option<u32> {
         Argument::Object(object) => Some(object),
         _ => None,
     });
-    let mut axes = command.prefix.iter().chain(arguments).filter(|object| object.kind == ObjectKind::Axis);
+    let mut axes =
+        command.prefix.as_deref().into_iter().chain(arguments).filter(|object| object.kind == ObjectKind::Axis);
     let only = axes.next()?.index;
     only.filter(|_| axes.next().is_none())
 }

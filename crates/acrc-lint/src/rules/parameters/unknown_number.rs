@@ -75,7 +75,7 @@ fn check_objects(context: &mut Context<'_>, statement: &Statement) {
         Argument::Object(object) => Some(object),
         _ => None,
     });
-    for object in command.prefix.iter().chain(behind) {
+    for object in command.prefix.as_deref().into_iter().chain(behind) {
         judge_object(context, object);
     }
 }

@@ -27,16 +27,23 @@ pub(crate) static RULE: Rule = Rule {
 fn check(context: &mut Context<'_>) {
     let mut names = Vec::new();
     for statement in context.tree().statements() {
-        names.clear();
-        collect_names(statement, &mut names);
-        names.sort_unstable_by_key(|span| span.start);
         let words = match &statement.kind {
             StatementKind::Remark(text) => Span::new(statement.span.start, text.start),
             StatementKind::Error => continue,
             _ => statement.span,
         };
+        if !has_small_letters(context.slice(words)) {
+            continue;
+        }
+        names.clear();
+        collect_names(statement, &mut names);
+        names.sort_unstable_by_key(|span| span.start);
         check_words(context, words, &names);
     }
+}
+
+fn has_small_letters(text: &str) -> bool {
+    text.bytes().any(|byte| byte.is_ascii_lowercase())
 }
 
 fn check_words(context: &mut Context<'_>, span: Span, names: &[Span]) {
@@ -45,7 +52,7 @@ fn check_words(context: &mut Context<'_>, span: Span, names: &[Span]) {
         let is_word = matches!(token.kind, TokenKind::Word | TokenKind::Dollar);
         let after = names.partition_point(|name| name.start <= token.span.start);
         let in_name = after.checked_sub(1).and_then(|at| names.get(at)).is_some_and(|name| token.span.start < name.end);
-        if is_word && !in_name && text.bytes().any(|byte| byte.is_ascii_lowercase()) {
+        if is_word && !in_name && has_small_letters(text) {
             let capitals = text.to_ascii_uppercase();
             let fix = Fix::safe(format!("write {capitals}"), vec![Edit::replace(token.span, capitals.as_str())]);
             let diagnostic = RULE.at(token.span, format!("the keyword `{text}` is not in capitals"));

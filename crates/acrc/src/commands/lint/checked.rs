@@ -54,6 +54,11 @@ impl Checked {
         })
     }
 
+    /// The findings of the files that are shown, in no order.
+    pub(super) fn found_in_shown(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.found.iter().zip(&self.shown).filter(|(_, shown)| **shown).flat_map(|(found, _)| found)
+    }
+
     /// Place, name and text of the files that are shown.
     pub(super) fn shown_files(&self) -> impl Iterator<Item = (usize, &str, &str)> {
         let files = self.project.files.iter().zip(&self.names).zip(&self.shown).enumerate();

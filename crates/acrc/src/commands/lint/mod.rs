@@ -9,6 +9,7 @@ mod statistics;
 mod watch;
 
 use std::io::{IsTerminal as _, Write as _};
+use std::mem::ManuallyDrop;
 use std::path::PathBuf;
 
 use acrc_analysis::project::{FailOn as ConfigFailOn, LintConfig, Selection};
@@ -38,7 +39,11 @@ pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Resu
         (_, true, true) => bail!("standard input can't be watched"),
         (true, ..) => rules::run(arguments, &selection),
         (_, true, _) => watch::run(arguments, &selection, color),
-        (.., from_stdin) => Run::load(arguments, &selection, from_stdin)?.finish(color),
+        (.., from_stdin) => {
+            // The process ends behind this: taking the trees of a large project apart first is noticeable.
+            let mut run = ManuallyDrop::new(Run::load(arguments, &selection, from_stdin)?);
+            run.finish(color)
+        }
     }
 }
 
@@ -75,7 +80,7 @@ impl<'a> Run<'a> {
     }
 
     /// Repairs or shows, as it was asked for.
-    fn finish(mut self, color: ColorChoice) -> anyhow::Result<Exit> {
+    fn finish(&mut self, color: ColorChoice) -> anyhow::Result<Exit> {
         let options = &self.arguments.output;
         let repair = &self.arguments.repair;
         let mut notes = Notes::default();
@@ -197,7 +202,7 @@ impl<'a> Run<'a> {
         self.projects.iter().any(|checked| {
             let configured = checked.project.config.lint.fail_on.unwrap_or(ConfigFailOn::Warning);
             let fail_on = self.arguments.output.fail_on.map_or(configured, ConfigFailOn::from);
-            checked.reports().any(|report| report.diagnostics().iter().any(|found| fail_on.fails(found.severity)))
+            checked.found_in_shown().any(|found| fail_on.fails(found.severity))
         })
     }
 
