@@ -1,8 +1,6 @@
 //! Exit status and the message of a command that could not run.
 
-use std::io::{self, Write as _};
-
-use crate::output::Terminal;
+use crate::output::{Terminal, tell};
 
 /// How a subcommand ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,25 +27,15 @@ impl Exit {
     }
 }
 
-/// Says why a command could not run. A reader that went away (`acrc lint | head`) is no error.
+/// Says why a command could not run.
 pub(crate) fn report(result: anyhow::Result<Exit>, terminal: Terminal) -> Exit {
-    let error = match result {
-        Ok(exit) => return exit,
-        Err(error) => error,
-    };
-    let broken_pipe = |cause: &(dyn std::error::Error + 'static)| {
-        cause.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-    };
-    if error.chain().any(broken_pipe) {
-        return Exit::Clean;
-    }
-    say(&error, terminal);
-    Exit::Failure
+    result.unwrap_or_else(|error| {
+        say(&error, terminal);
+        Exit::Failure
+    })
 }
 
 /// Says what went wrong on standard error.
 pub(crate) fn say(error: &anyhow::Error, terminal: Terminal) {
-    let mut stderr = io::stderr().lock();
-    // Nothing is left to tell it to when standard error is gone too.
-    let _ = writeln!(stderr, "{} {error:#}", terminal.error_word("error:"));
+    tell(|err| writeln!(err, "{} {error:#}", terminal.error_word("error:")));
 }

@@ -3,6 +3,7 @@
 use std::fs::{File, Metadata, Permissions};
 use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context as _;
 use tempfile::NamedTempFile;
@@ -66,20 +67,73 @@ impl Terminal {
     }
 }
 
-/// Writes to standard output and tells whether that worked, up to the last byte. A reader that went away (`acrc lint | head`) is no error.
-pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
-    let mut out = BufWriter::new(io::stdout().lock());
-    match write(&mut out).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            // What could not be written is not tried again when the buffer goes.
-            drop(out.into_parts());
-            Err(error).context("cannot write to standard output")
-        }
-        _ => {
-            drop(out.into_parts());
-            Ok(())
+/// The reader of standard output went away.
+static NOBODY_READS: AtomicBool = AtomicBool::new(false);
+
+/// A writer that takes everything. A reader that goes away (`acrc lint | head`) sees no more of it and changes nothing
+/// else: what is left to do is done, and the exit status is the one that it would have been.
+#[derive(Debug)]
+pub(crate) struct Patient<W> {
+    inner: W,
+    /// The reader went away.
+    alone: bool,
+}
+
+impl<W: Write> Patient<W> {
+    pub(crate) fn new(inner: W) -> Self {
+        Self { inner, alone: false }
+    }
+
+    fn go_on<T>(&mut self, result: io::Result<T>, instead: T) -> io::Result<T> {
+        match result {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                self.alone = true;
+                Ok(instead)
+            }
+            other => other,
         }
     }
+}
+
+impl<W: Write> Write for Patient<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.alone {
+            return Ok(bytes.len());
+        }
+        let result = self.inner.write(bytes);
+        self.go_on(result, bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        if self.alone {
+            return Ok(());
+        }
+        let result = self.inner.flush();
+        self.go_on(result, ())
+    }
+}
+
+/// Writes to standard output and tells whether that worked, up to the last byte.
+pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
+    let mut out = BufWriter::new(Patient::new(io::stdout().lock()));
+    let written = write(&mut out).and_then(|()| out.flush());
+    // What could not be written is not tried again when the buffer goes.
+    let (inner, _) = out.into_parts();
+    if inner.alone {
+        NOBODY_READS.store(true, Ordering::Relaxed);
+    }
+    written.context("cannot write to standard output")
+}
+
+/// Whether the reader of standard output went away.
+pub(crate) fn nobody_reads() -> bool {
+    NOBODY_READS.load(Ordering::Relaxed)
+}
+
+/// Writes to standard error, as one piece. When that is gone too, nothing is left to tell it to.
+pub(crate) fn tell(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
+    let mut text = Vec::new();
+    let _ = write(&mut text).and_then(|()| io::stderr().lock().write_all(&text));
 }
 
 /// A file that appears under its name only when it is complete: it is written beside its place and renamed. A device or a pipe is written in
@@ -95,7 +149,7 @@ pub(crate) struct OutputFile {
 #[derive(Debug)]
 enum Place {
     Beside(NamedTempFile),
-    Direct(File),
+    Direct(Patient<File>),
 }
 
 impl OutputFile {
@@ -103,7 +157,7 @@ impl OutputFile {
     pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
         let refuse = || format!("cannot write {}", path.display());
         if let Some(stream) = standard_stream(path) {
-            let place = Place::Direct(stream.with_context(refuse)?);
+            let place = Place::Direct(Patient::new(stream.with_context(refuse)?));
             return Ok(Self {
                 path: path.to_owned(),
                 permissions: None,
@@ -114,7 +168,7 @@ impl OutputFile {
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let place = match target.metadata() {
             Ok(found) if !found.is_file() => {
-                Place::Direct(File::options().write(true).open(&target).with_context(refuse)?)
+                Place::Direct(Patient::new(File::options().write(true).open(&target).with_context(refuse)?))
             }
             _ => {
                 let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -285,3 +285,45 @@ fn a_misspelt_rule_is_guessed() {
     let run = bench.acrc(["explain", "JGO"]).expect(2);
     assert!(run.stderr.contains("JOG"), "{}", run.stderr);
 }
+
+#[test]
+fn a_reader_that_goes_away_does_not_change_the_status() {
+    let bench = Bench::new();
+    bench.file("bad/Prog0.8K", "PROGRAM\nGOTO Nowhere\nset 32\nENDP\n");
+    bench.file("clean.8K", CLEAN);
+    let nobody = || {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        writer
+    };
+    let formats = ["text", "concise", "json", "jsonl", "sarif", "github", "gitlab", "junit", "checkstyle"];
+    let lint = formats.map(|format| (vec!["lint", "bad", "--format", format], 1));
+    let others = [
+        (vec!["lint", "clean.8K"], 0),
+        (vec!["lint", "bad", "--fail-on", "never"], 0),
+        (vec!["lint", "bad", "gone"], 2),
+        (vec!["lint", "bad", "--output-file", "/dev/stdout"], 1),
+        (vec!["lint", "bad", "--statistics"], 1),
+        (vec!["lint", "bad", "--watch"], 1),
+        (vec!["fmt", "bad", "--check"], 1),
+        (vec!["fmt", "bad", "--diff"], 1),
+        (vec!["mem", "bad"], 1),
+        (vec!["mem", "clean.8K"], 0),
+        (vec!["build", "bad", "-o", "x.acrx"], 1),
+        (vec!["sim", "bad"], 2),
+        (vec!["sim", "clean.8K", "--run", "PROG0", "--trace", "/dev/stdout"], 0),
+        (vec!["explain", "ACR101"], 0),
+    ];
+    for (arguments, status) in
+        lint.into_iter().chain(others).filter(|(arguments, _)| cfg!(unix) || !arguments.contains(&"/dev/stdout"))
+    {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_acrc"));
+        command.args(&arguments).current_dir(bench.folder.path()).stdout(nobody());
+        let output = command.output().expect("acrc starts");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {said}");
+        assert!(!said.contains("pipe") && !said.contains("panicked"), "{arguments:?}: {said}");
+        let silent = command.stdout(nobody()).stderr(nobody()).status().expect("acrc starts");
+        assert_eq!(silent.code(), Some(status), "{arguments:?} without standard error");
+    }
+}

@@ -11,11 +11,11 @@ pub(super) fn run(arguments: &BuildArguments, color: ColorChoice) -> anyhow::Res
     let project = load(&arguments.project)?;
     refuse_clashes(&[&arguments.output], &inputs(&project))?;
     let terminal = Terminal::error(color);
-    let Some(mut image) = compile(&project, terminal)? else { return Ok(Exit::Findings) };
+    let Some(mut image) = compile(&project, terminal) else { return Ok(Exit::Findings) };
     // An image is for a controller: what is known to fail there is not put into one.
     let errors = errors_of(check(&project));
     if !errors.iter().all(Vec::is_empty) {
-        show_errors(&project, &errors, terminal)?;
+        show_errors(&project, &errors, terminal);
         return Ok(Exit::Findings);
     }
     if image.boot.words.is_empty() && image.programs.is_empty() {

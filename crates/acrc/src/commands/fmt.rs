@@ -1,7 +1,5 @@
 //! `acrc fmt`: formats programs.
 
-use std::io::Write as _;
-
 use acrc_analysis::project::{BlockEnds, FileGlobs, FmtConfig, KeywordCase, LoadedProject};
 use acrc_diagnostics::{Fix, LineIndex, apply, unified_diff};
 use acrc_fmt::renumber::Source;
@@ -13,7 +11,7 @@ use super::targets::{Target, display};
 use super::{source_file, stdin, targets};
 use crate::cli::{ColorChoice, FmtArguments, Numbering};
 use crate::exit::{Exit, say};
-use crate::output::{Terminal, print};
+use crate::output::{Terminal, print, tell};
 
 pub(super) fn run(arguments: &FmtArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let mut run = Run { arguments, color, changed: 0, same: 0, errors: Vec::new() };
@@ -124,8 +122,7 @@ impl Run<'_> {
             let more = if lines.len() > SHOWN { ", ..." } else { "" };
             format!("{} lines can't be read and are left as they are: {}{more}", lines.len(), list.join(", "))
         };
-        // Nothing is left to tell it to when standard error is gone.
-        let _ = writeln!(std::io::stderr(), "{word} {name}: {text}");
+        tell(|err| writeln!(err, "{word} {name}: {text}"));
     }
 
     fn finish(&self) -> anyhow::Result<Exit> {
@@ -139,7 +136,7 @@ impl Run<'_> {
             let line = format!("{files} {done}, {} left alone", self.same);
             if self.arguments.diff {
                 // Standard output is for `patch`.
-                let _ = writeln!(std::io::stderr(), "{line}");
+                tell(|err| writeln!(err, "{line}"));
             } else {
                 print(|out| writeln!(out, "{line}"))?;
             }

@@ -1,6 +1,5 @@
 //! Loading, checking and compiling a project, as several subcommands do.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use acrc_analysis::Database;
@@ -10,7 +9,7 @@ use acrc_image::Image;
 use anyhow::Context as _;
 use camino::Utf8Path;
 
-use crate::output::Terminal;
+use crate::output::{Terminal, tell};
 
 /// Loads the project at a path.
 pub(crate) fn load(path: &Path) -> anyhow::Result<LoadedProject> {
@@ -63,9 +62,9 @@ pub(crate) fn reports<'a>(project: &'a LoadedProject, found: &'a [Vec<Diagnostic
 }
 
 /// Compiles a project. What is wrong with it goes to standard error; `None` then.
-pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Option<Image>> {
+pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> Option<Image> {
     let errors = match project.compile() {
-        Ok(image) => return Ok(Some(image)),
+        Ok(image) => return Some(image),
         Err(errors) => errors,
     };
     // The linter says the same with more knowledge of the whole project; what only the compiler knows is left to it.
@@ -77,8 +76,8 @@ pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> anyhow::Re
             }
         }
     }
-    show_errors(project, &found, terminal)?;
-    Ok(None)
+    show_errors(project, &found, terminal);
+    None
 }
 
 /// Only the errors among findings.
@@ -90,14 +89,10 @@ pub(crate) fn errors_of(mut found: Vec<Vec<Diagnostic>>) -> Vec<Vec<Diagnostic>>
 }
 
 /// Shows errors on standard error.
-pub(crate) fn show_errors(
-    project: &LoadedProject,
-    found: &[Vec<Diagnostic>],
-    terminal: Terminal,
-) -> anyhow::Result<()> {
+pub(crate) fn show_errors(project: &LoadedProject, found: &[Vec<Diagnostic>], terminal: Terminal) {
     let reports = reports(project, found);
-    let mut stderr = std::io::stderr().lock();
-    text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, &mut stderr)?;
-    writeln!(stderr, "{} is not built: {}", title(project), Summary::of(&reports))?;
-    Ok(())
+    tell(|err| {
+        text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, err)?;
+        writeln!(err, "{} is not built: {}", title(project), Summary::of(&reports))
+    });
 }

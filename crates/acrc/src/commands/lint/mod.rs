@@ -8,7 +8,7 @@ mod show;
 mod statistics;
 mod watch;
 
-use std::io::{IsTerminal as _, Write as _};
+use std::io::IsTerminal as _;
 use std::mem::ManuallyDrop;
 use std::path::PathBuf;
 
@@ -24,7 +24,7 @@ use super::project::{inputs, load};
 use super::{stdin, targets};
 use crate::cli::{ColorChoice, FailOn, LintArguments};
 use crate::exit::{Exit, say};
-use crate::output::{Terminal, print, refuse_clashes};
+use crate::output::{Terminal, print, refuse_clashes, tell};
 
 pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let selection = Selection::from(&arguments.selection);
@@ -101,7 +101,7 @@ impl<'a> Run<'a> {
             let reports: Vec<FileReport<'_>> = self.projects.iter().flat_map(Checked::reports).collect();
             if self.from_stdin && repair.fix {
                 // Standard output has the repaired text.
-                show::on_stderr(&reports, notes, options, color)?;
+                show::on_stderr(&reports, notes, options, color);
             } else {
                 show::show(&reports, notes, options, color, &self.inputs())?;
             }
@@ -156,12 +156,8 @@ impl<'a> Run<'a> {
             let fixes = changes.iter().flatten().map(|change| change.fixes).sum();
             let files = changes.iter().flatten().count();
             // Standard output is for `patch`.
-            let _ = writeln!(
-                std::io::stderr(),
-                "{} in {} would be repaired",
-                counted(fixes, "finding"),
-                counted(files, "file")
-            );
+            let line = format!("{} in {} would be repaired", counted(fixes, "finding"), counted(files, "file"));
+            tell(|err| writeln!(err, "{line}"));
         }
         Ok(())
     }
@@ -210,6 +206,10 @@ impl<'a> Run<'a> {
         for error in &self.errors {
             say(error, Terminal::error(color));
         }
+        self.status(failed)
+    }
+
+    fn status(&self, failed: bool) -> Exit {
         match (self.errors.is_empty(), failed) {
             (false, _) => Exit::Failure,
             (true, true) => Exit::Findings,
@@ -245,13 +245,13 @@ impl Progress {
 
     fn at(&self, number: usize, name: &str) {
         if self.shown {
-            let _ = write!(std::io::stderr(), "\r\u{1b}[2Kchecking {} of {}: {name}", number + 1, self.total);
+            tell(|err| write!(err, "\r\u{1b}[2Kchecking {} of {}: {name}", number + 1, self.total));
         }
     }
 
     fn end(&self) {
         if self.shown {
-            let _ = write!(std::io::stderr(), "\r\u{1b}[2K");
+            tell(|err| write!(err, "\r\u{1b}[2K"));
         }
     }
 }

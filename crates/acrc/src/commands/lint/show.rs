@@ -14,7 +14,7 @@ use anyhow::{Context as _, bail};
 use super::baseline::Hidden;
 use super::statistics::{self, is_fixable};
 use crate::cli::{ColorChoice, LintFormat, OutputArguments};
-use crate::output::{OutputFile, Terminal, print, refuse_clashes};
+use crate::output::{OutputFile, Terminal, print, refuse_clashes, tell};
 
 /// What a report says besides the findings.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,22 +52,18 @@ pub(super) fn show(
         if options.format == LintFormat::Text { say(reports, notes, options, terminal, out) } else { Ok(()) }
     })?;
     if options.format != LintFormat::Text {
-        say(reports, notes, options, Terminal::error(color), &mut io::stderr().lock())?;
+        tell(|err| say(reports, notes, options, Terminal::error(color), err));
     }
     Ok(())
 }
 
 /// Shows findings on standard error, when standard output has something else.
-pub(super) fn on_stderr(
-    reports: &[FileReport<'_>],
-    notes: Notes,
-    options: &OutputArguments,
-    color: ColorChoice,
-) -> anyhow::Result<()> {
+pub(super) fn on_stderr(reports: &[FileReport<'_>], notes: Notes, options: &OutputArguments, color: ColorChoice) {
     let terminal = Terminal::error(color);
-    let mut stderr = io::stderr().lock();
-    report(reports, options, terminal, &mut stderr)?;
-    Ok(say(reports, notes, options, terminal, &mut stderr)?)
+    tell(|err| {
+        report(reports, options, terminal, err)?;
+        say(reports, notes, options, terminal, err)
+    });
 }
 
 fn write(reports: &[FileReport<'_>], options: &OutputArguments, path: &Path, inputs: &[PathBuf]) -> anyhow::Result<()> {

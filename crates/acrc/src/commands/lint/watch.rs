@@ -4,7 +4,7 @@
 //! changes the make-up of a project (a new file, one that is gone, `acrc.toml`) loads everything again.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{IsTerminal as _, Write as _};
+use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
@@ -21,7 +21,7 @@ use super::{Run, say};
 use crate::cli::{ColorChoice, LintArguments};
 use crate::commands::targets::real;
 use crate::exit::Exit;
-use crate::output::Terminal;
+use crate::output::{Terminal, nobody_reads, print, tell};
 
 /// How long nothing must change before the files are looked at: an editor saves in several steps.
 const QUIET: Duration = Duration::from_millis(60);
@@ -54,6 +54,9 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
     let mut session = Session { run: Run::load(arguments, selection, false)?, selection, color };
     loop {
         session.show()?;
+        if nobody_reads() {
+            return Ok(session.run.status(session.run.failed()));
+        }
         loop {
             match next(&messages) {
                 None => return Ok(Exit::Interrupted),
@@ -160,7 +163,7 @@ impl Session<'_> {
         let options = &self.run.arguments.output;
         let is_screen = std::io::stdout().is_terminal();
         if is_screen {
-            print_raw(CLEAR)?;
+            print(|out| write!(out, "{CLEAR}"))?;
         }
         let found: Vec<_> = self.run.projects.iter().map(|checked| checked.found.clone()).collect();
         let notes = Notes { fixed: None, hidden: self.run.hide()? };
@@ -178,14 +181,10 @@ impl Session<'_> {
         if !options.quiet {
             let files: usize = self.run.projects.iter().map(|checked| checked.project.files.len()).sum();
             let line = format!("watching {}; Ctrl-C ends this", counted(files, "file"));
-            writeln!(std::io::stderr(), "{}", terminal.faint(&line)).context("cannot write to standard error")?;
+            tell(|err| writeln!(err, "{}", terminal.faint(&line)));
         }
         Ok(())
     }
-}
-
-fn print_raw(text: &str) -> anyhow::Result<()> {
-    crate::output::print(|out| out.write_all(text.as_bytes()))
 }
 
 /// What the change of a path that is no file of a project asks for.

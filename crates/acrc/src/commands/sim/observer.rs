@@ -1,15 +1,13 @@
 //! Takes what a run produces: shows it as it happens and keeps it for the report.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{FaultReport, Observer, View};
-use anyhow::Context as _;
 
 use super::recorder::Recorder;
-use crate::output::Terminal;
+use crate::output::{Terminal, nobody_reads, print};
 
 /// Output kept for the report, at most; later lines are counted only.
 const KEPT_OUTPUT: usize = 100_000;
@@ -75,12 +73,10 @@ impl<'a> RunObserver<'a> {
     fn show(&mut self, seconds: f64, source: &str, text: &str) {
         let time = self.terminal.faint(&format!("{seconds:>10.3} s"));
         let visible: String = text.chars().map(printable).collect();
-        let mut out = io::stdout().lock();
-        match writeln!(out, "{time}  {source:<8}  {visible}") {
-            // The reader went away; the run and its files go on.
-            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => self.live = false,
-            result => self.fail(result.context("cannot write to standard output")),
-        }
+        let written = print(|out| writeln!(out, "{time}  {source:<8}  {visible}"));
+        // The run and its files go on without a reader.
+        self.live = !nobody_reads();
+        self.fail(written);
     }
 
     fn fail(&mut self, result: anyhow::Result<()>) {
