@@ -52,7 +52,7 @@ pub fn problems(config: &LintConfig) -> Vec<String> {
             problems.0.push(format!("{place}files is empty: name the files that it is about"));
         }
     }
-    if let Err(problem) = FileGlobs::new(settings::patterns(config).map(|(glob, _)| glob)) {
+    if let Err(problem) = FileGlobs::new(config.patterns().map(|(glob, _)| glob)) {
         problems.0.push(problem);
     }
     let given = &config.command_line;

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use acrc_analysis::FileContext;
-use acrc_analysis::project::{FileGlob, FileGlobs, LintConfig, LintLevel, Override, Selection};
+use acrc_analysis::project::{FileGlob, FileGlobs, LintConfig, LintLevel, Override, PatternUse, Selection};
 use acrc_diagnostics::{Diagnostic, Severity};
 
 use crate::plan::Plan;
@@ -86,7 +86,7 @@ struct Prepared {
     /// All patterns.
     globs: FileGlobs,
     /// What each of them is for.
-    uses: Vec<Use>,
+    uses: Vec<PatternUse>,
     overrides: Vec<Layer>,
     /// In the order of [`LintConfig::per_file_ignores`].
     ignores: Vec<RuleSet>,
@@ -96,17 +96,6 @@ struct Prepared {
     special: Mutex<BTreeMap<Vec<usize>, Arc<Settings>>>,
 }
 
-/// What a pattern is for.
-#[derive(Clone, Copy)]
-pub(crate) enum Use {
-    /// Its files are not checked.
-    Exclude,
-    /// Of an override, by its place.
-    Override(usize),
-    /// Of the ignores of files, by its place.
-    Ignore(usize),
-}
-
 impl Prepared {
     fn new(config: &LintConfig) -> Self {
         let lint = Layer::new(config.select.as_deref(), &config.extend_select, &config.ignore, &config.severity);
@@ -114,7 +103,7 @@ impl Prepared {
             |part: &Override| Layer::new(part.select.as_deref(), &part.extend_select, &part.ignore, &part.severity);
         let Selection { select, extend_select, ignore } = &config.command_line;
         let command_line = Layer::new(select.as_deref(), extend_select, ignore, &BTreeMap::new());
-        let (globs, uses): (Vec<&FileGlob>, Vec<Use>) = patterns(config).unzip();
+        let (globs, uses): (Vec<&FileGlob>, Vec<PatternUse>) = config.patterns().unzip();
         Self {
             // What is too long is told by `problems`.
             globs: FileGlobs::new(globs).unwrap_or_default(),
@@ -140,9 +129,9 @@ impl Prepared {
         let mut ignored = RuleSet::default();
         for usage in matching.iter().filter_map(|place| self.uses.get(*place)) {
             match *usage {
-                Use::Exclude => return None,
-                Use::Override(place) => overrides.push(place),
-                Use::Ignore(place) => ignored.add(self.ignores.get(place).copied().unwrap_or_default()),
+                PatternUse::Exclude => return None,
+                PatternUse::Override(place) => overrides.push(place),
+                PatternUse::Ignore(place) => ignored.add(self.ignores.get(place).copied().unwrap_or_default()),
             }
         }
         // What another thread was doing when it panicked does no harm here: the map only ever grows.
@@ -155,15 +144,6 @@ impl Prepared {
         });
         Some(Arc::clone(settings))
     }
-}
-
-/// All patterns of a configuration; those of one override stand together.
-pub(crate) fn patterns(config: &LintConfig) -> impl Iterator<Item = (&FileGlob, Use)> {
-    let exclude = config.exclude.iter().map(|glob| (glob, Use::Exclude));
-    let overrides = config.overrides.iter().enumerate();
-    let overrides = overrides.flat_map(|(place, part)| part.files.iter().map(move |glob| (glob, Use::Override(place))));
-    let ignores = config.per_file_ignores.0.iter().enumerate();
-    exclude.chain(overrides).chain(ignores.map(|(place, (glob, _))| (glob, Use::Ignore(place))))
 }
 
 fn union(selectors: &[String]) -> RuleSet {

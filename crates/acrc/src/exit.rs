@@ -39,3 +39,8 @@ pub(crate) fn report(result: anyhow::Result<Exit>, terminal: Terminal) -> Exit {
 pub(crate) fn say(error: &anyhow::Error, terminal: Terminal) {
     tell(|err| writeln!(err, "{} {error:#}", terminal.error_word("error:")));
 }
+
+/// Says on standard error what is odd, and stops nothing.
+pub(crate) fn warn(text: &str, terminal: Terminal) {
+    tell(|err| writeln!(err, "{} {text}", terminal.warning_word("warning:")));
+}

@@ -4,8 +4,9 @@ use camino::Utf8Path;
 use globset::{Glob, GlobBuilder, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 
-/// A pattern such as `Prog1*.8K`, `src/*.8K` or `legacy/**`. Without a slash it is about the name of a file wherever it
-/// lies, with one about the path from the folder of `acrc.toml`. `*` does not go beyond a slash, `**` does.
+/// A pattern such as `Prog1*.8K`, `src/*.8K` or `legacy/`, read as in a `.gitignore`: without a slash before its end it
+/// is about a name in any folder, with one about the path from the folder of `acrc.toml`. What means a folder means all
+/// that lies below it. `*` does not go beyond a slash, `**` does.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(try_from = "String")]
 pub struct FileGlob {
@@ -16,8 +17,15 @@ pub struct FileGlob {
 impl FileGlob {
     /// Reads a pattern.
     pub fn new(pattern: &str) -> Result<Self, String> {
-        let path = pattern.strip_prefix("./").unwrap_or(pattern);
-        let path = if path.contains('/') { path.to_owned() } else { format!("**/{path}") };
+        let path = pattern.strip_prefix("./").unwrap_or(pattern).trim_end_matches('/');
+        if path.is_empty() {
+            return Err(format!("`{pattern}` is no pattern of files: it is empty"));
+        }
+        let path = match path.strip_prefix('/') {
+            Some(path) => path.to_owned(),
+            None if path.contains('/') => path.to_owned(),
+            None => format!("**/{path}"),
+        };
         let glob = GlobBuilder::new(&path).literal_separator(true).backslash_escape(false).build();
         let glob = glob.map_err(|error| format!("`{pattern}` is no pattern of files: {}", error.kind()))?;
         Ok(Self { pattern: pattern.to_owned(), glob })
@@ -48,7 +56,15 @@ impl FileGlobs {
 
     /// Places, in order, of the patterns that mean a path, which is relative to the folder of `acrc.toml`.
     pub fn matching(&self, path: &Utf8Path) -> Vec<usize> {
-        self.0.matches(path)
+        if self.0.is_empty() {
+            return Vec::new();
+        }
+        // The path and the folders that it lies in, but for the one of `acrc.toml`.
+        let parts = path.ancestors().take_while(|part| !part.as_str().is_empty());
+        let mut places: Vec<usize> = parts.flat_map(|part| self.0.matches(part)).collect();
+        places.sort_unstable();
+        places.dedup();
+        places
     }
 }
 
@@ -85,6 +101,14 @@ mod tests {
             ("**/b.8K", "legacy/a/b.8K", true),
             ("{Setup,Prog0}.8K", "Setup.8K", true),
             ("[ab].8K", "b.8K", true),
+            ("src", "src/Prog0.8K", true),
+            ("src/", "src/deep/Prog0.8K", true),
+            ("deep", "src/deep/Prog0.8K", true),
+            ("/deep", "src/deep/Prog0.8K", false),
+            ("/src", "src/Prog0.8K", true),
+            ("src/de*", "src/deep/Prog0.8K", true),
+            ("src", "src2/Prog0.8K", false),
+            ("src", "/src/Prog0.8K", true),
         ] {
             let glob = FileGlob::new(pattern).expect("a pattern");
             let matching = FileGlobs::new([&glob]).expect("a short pattern").matching(Utf8Path::new(path));
@@ -94,7 +118,9 @@ mod tests {
 
     #[test]
     fn a_broken_pattern_is_refused_by_name() {
-        let error = FileGlob::new("[ab.8K").expect_err("no pattern");
-        assert!(error.starts_with("`[ab.8K` is no pattern of files"), "{error}");
+        for pattern in ["[ab.8K", "", "/", "./"] {
+            let error = FileGlob::new(pattern).expect_err("no pattern");
+            assert!(error.starts_with(&format!("`{pattern}` is no pattern of files")), "{error}");
+        }
     }
 }

@@ -149,6 +149,38 @@ impl LintConfig {
         let path = Utf8Path::new(path);
         path.strip_prefix(&self.root).unwrap_or(path)
     }
+
+    /// All patterns and what they are for; those of one override stand together.
+    pub fn patterns(&self) -> impl Iterator<Item = (&FileGlob, PatternUse)> {
+        let exclude = self.exclude.iter().map(|glob| (glob, PatternUse::Exclude));
+        let overrides = self.overrides.iter().enumerate().flat_map(|(place, part)| {
+            let files = part.files.iter();
+            files.map(move |glob| (glob, PatternUse::Override(place)))
+        });
+        let ignores = self.per_file_ignores.0.iter().enumerate();
+        exclude.chain(overrides).chain(ignores.map(|(place, (glob, _))| (glob, PatternUse::Ignore(place))))
+    }
+}
+
+/// What a pattern of `[lint]` is for. Displays as the key under which it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PatternUse {
+    /// Its files are not checked.
+    Exclude,
+    /// Of an override, by its place.
+    Override(usize),
+    /// Of the ignores of files, by its place.
+    Ignore(usize),
+}
+
+impl fmt::Display for PatternUse {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exclude => f.write_str("lint.exclude"),
+            Self::Override(place) => write!(f, "lint.override {}", place + 1),
+            Self::Ignore(_) => f.write_str("lint.per-file-ignores"),
+        }
+    }
 }
 
 /// A place for what a checker computes from a configuration once, instead of once for each file. It has no part in

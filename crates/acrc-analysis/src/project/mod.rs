@@ -13,6 +13,8 @@ mod lint_config;
 mod overlay;
 mod search;
 
+use std::collections::BTreeSet;
+
 use acrc_catalog::Model;
 use acrc_compile::{CompileError, SourceUnit};
 use acrc_image::Image;
@@ -25,7 +27,7 @@ pub use config::{
 pub use error::LoadError;
 pub use files::{Disk, FileKind, Files};
 pub use glob::{FileGlob, FileGlobs};
-pub use lint_config::{FailOn, FileIgnores, Level as LintLevel, LintConfig, Override, Prepared, Selection};
+pub use lint_config::{FailOn, FileIgnores, Level as LintLevel, LintConfig, Override, PatternUse, Prepared, Selection};
 pub use overlay::Overlay;
 pub use search::{Search, owner, search};
 
@@ -149,6 +151,27 @@ impl LoadedProject {
             SourceFile::new(db, file.path.to_string(), file.source.text.clone(), file.role, file.source.diagnostics())
         });
         Project::new(db, files.collect(), self.model, self.config.clone())
+    }
+
+    /// Patterns of `[lint]` that mean no file of the project, a sentence each: most are slips.
+    pub fn idle_lint_patterns(&self) -> Vec<String> {
+        self.idle(self.config.lint.patterns().map(|(glob, usage)| (glob, usage.to_string())))
+    }
+
+    /// Patterns of `[fmt]` that mean no file of the project, a sentence each.
+    pub fn idle_fmt_patterns(&self) -> Vec<String> {
+        self.idle(self.config.fmt.exclude.iter().map(|glob| (glob, "fmt.exclude".to_owned())))
+    }
+
+    fn idle<'g>(&self, patterns: impl Iterator<Item = (&'g FileGlob, String)>) -> Vec<String> {
+        let (globs, keys): (Vec<&FileGlob>, Vec<String>) = patterns.unzip();
+        let all = FileGlobs::new(globs.iter().copied()).unwrap_or_default();
+        let paths = self.files.iter().map(|file| self.config.lint.relative(file.path.as_str()));
+        let used: BTreeSet<usize> = paths.flat_map(|path| all.matching(path)).collect();
+        let config = self.root.join(CONFIG_NAME);
+        let idle = globs.iter().zip(keys).enumerate().filter(|(place, _)| !used.contains(place));
+        idle.map(|(_, (glob, key))| format!("`{config}`: {key}: `{}` means no file of the project", glob.as_str()))
+            .collect()
     }
 
     /// Compiles the project into an image; every reason why it can't be is reported.

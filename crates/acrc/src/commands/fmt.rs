@@ -10,7 +10,7 @@ use super::project::load;
 use super::targets::{Target, display};
 use super::{source_file, stdin, targets};
 use crate::cli::{ColorChoice, FmtArguments, Numbering};
-use crate::exit::{Exit, say};
+use crate::exit::{Exit, say, warn};
 use crate::output::{Terminal, print, tell};
 
 pub(super) fn run(arguments: &FmtArguments, color: ColorChoice) -> anyhow::Result<Exit> {
@@ -79,6 +79,9 @@ impl Run<'_> {
             None => project.files.iter().map(|file| file.source.text.clone()).collect(),
         };
         let exclude = FileGlobs::new(&config.exclude).map_err(anyhow::Error::msg)?;
+        if !self.arguments.quiet {
+            project.idle_fmt_patterns().iter().for_each(|line| warn(line, Terminal::error(self.color)));
+        }
         let mut formatted = Vec::with_capacity(texts.len());
         for ((file, text), meant) in project.files.iter().zip(texts).zip(target.meant(project)) {
             let excluded = !exclude.matching(project.config.lint.relative(file.path.as_str())).is_empty();
@@ -114,7 +117,6 @@ impl Run<'_> {
     fn say_unreadable(&self, name: &str, lines: &[u32]) {
         const SHOWN: usize = 5;
         let (Some(first), false) = (lines.first(), self.arguments.quiet) else { return };
-        let word = Terminal::error(self.color).warning_word("warning:");
         let text = if lines.len() == 1 {
             format!("line {first} can't be read and is left as it is")
         } else {
@@ -122,7 +124,7 @@ impl Run<'_> {
             let more = if lines.len() > SHOWN { ", ..." } else { "" };
             format!("{} lines can't be read and are left as they are: {}{more}", lines.len(), list.join(", "))
         };
-        tell(|err| writeln!(err, "{word} {name}: {text}"));
+        warn(&format!("{name}: {text}"), Terminal::error(self.color));
     }
 
     fn finish(&self) -> anyhow::Result<Exit> {

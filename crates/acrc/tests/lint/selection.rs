@@ -137,3 +137,34 @@ fn explain_says_how_to_suppress() {
     assert!(run.stdout.contains("ignore = [\"undefined-label\"]"), "{}", run.stdout);
     assert!(bench.acrc(["explain", "ACR001"]).expect(0).stdout.contains("always on"));
 }
+
+#[test]
+fn a_pattern_that_means_a_folder_means_what_is_below() {
+    let bench = Bench::new();
+    bench.file("src/Prog0.8K", "PROGRAM\ngoto Nowhere\nEND\nENDP\n");
+    bench.file("Prog1.8K", "PROGRAM\ngoto Nowhere\nEND\nENDP\n");
+    for pattern in ["src", "src/", "./src", "/src", "src/**", "s*"] {
+        bench.file("acrc.toml", format!("[lint]\nexclude = [\"{pattern}\"]\n[fmt]\nexclude = [\"{pattern}\"]\n"));
+        assert_eq!(lint(&bench, &["."]), ["Prog1.8K:2 ACR101"], "{pattern}");
+        let run = bench.acrc(["fmt", "--check"]).expect(1);
+        assert_eq!(run.stdout, "Prog1.8K is not formatted\n1 file would be reformatted, 0 left alone\n", "{pattern}");
+        assert_eq!(run.stderr, "");
+    }
+}
+
+#[test]
+fn patterns_that_mean_no_file_are_told() {
+    let bench = Bench::new();
+    bench.file("p/src/Prog0.8K", "PROGRAM\nEND\nENDP\n");
+    let config = "[lint]\nexclude = [\"scr\"]\n[lint.per-file-ignores]\n\"Prog9.8K\" = [\"ACR101\"]\n\"src\" = [\"ACR1\"]\n\
+                  [[lint.override]]\nfiles = [\"Prog0.8K\", \"deep/**\"]\n[fmt]\nexclude = [\"old/\"]\n";
+    bench.file("p/acrc.toml", config);
+    let told =
+        |key: &str, pattern: &str| format!("warning: `p/acrc.toml`: {key}: `{pattern}` means no file of the project\n");
+    let lint = [("lint.exclude", "scr"), ("lint.override 1", "deep/**"), ("lint.per-file-ignores", "Prog9.8K")];
+    let lint: String = lint.map(|(key, pattern)| told(key, pattern)).concat();
+    assert_eq!(bench.acrc(["lint", "p", "--format", "json"]).expect(0).stderr, lint);
+    assert_eq!(bench.acrc(["lint", "p", "--quiet"]).expect(0).stderr, "");
+    assert_eq!(bench.acrc(["fmt", "p"]).expect(0).stderr, told("fmt.exclude", "old/"));
+    assert_eq!(bench.acrc(["fmt", "p", "--quiet"]).expect(0).stderr, "");
+}

@@ -23,7 +23,7 @@ use self::show::{Notes, counted};
 use super::project::{inputs, load};
 use super::{stdin, targets};
 use crate::cli::{ColorChoice, FailOn, LintArguments};
-use crate::exit::{Exit, say};
+use crate::exit::{Exit, say, warn};
 use crate::output::{Terminal, print, refuse_clashes, tell};
 
 pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Result<Exit> {
@@ -203,10 +203,18 @@ impl<'a> Run<'a> {
     }
 
     fn exit(&self, failed: bool, color: ColorChoice) -> Exit {
-        for error in &self.errors {
-            say(error, Terminal::error(color));
-        }
+        self.say_troubles(color);
         self.status(failed)
+    }
+
+    /// Says what is odd and what went wrong.
+    fn say_troubles(&self, color: ColorChoice) {
+        let terminal = Terminal::error(color);
+        if !self.arguments.output.quiet {
+            let idle = self.projects.iter().flat_map(|checked| checked.project.idle_lint_patterns());
+            idle.for_each(|line| warn(&line, terminal));
+        }
+        self.errors.iter().for_each(|error| say(error, terminal));
     }
 
     fn status(&self, failed: bool) -> Exit {
