@@ -29,7 +29,7 @@ pub use files::{Disk, FileKind, Files};
 pub use glob::{FileGlob, FileGlobs};
 pub use lint_config::{FailOn, FileIgnores, Level as LintLevel, LintConfig, Override, PatternUse, Prepared, Selection};
 pub use overlay::Overlay;
-pub use search::{Search, owner, search};
+pub use search::{Search, holds_programs, owner, search};
 
 use crate::{Database, FileRole, Project, SourceFile};
 

@@ -63,6 +63,11 @@ pub fn search(path: &Utf8Path) -> Search {
     search
 }
 
+/// Whether programs or projects lie in a folder or below it.
+pub fn holds_programs(folder: &Utf8Path) -> bool {
+    !Search::default().walk(folder).is_empty()
+}
+
 /// What of interest lies directly in a folder.
 #[derive(Default)]
 struct Folder {

@@ -53,6 +53,17 @@ fn a_change_is_seen_and_ctrl_c_ends_it() {
     wait_for("no problems in 2 files");
     std::fs::remove_file(bench.path("p/Prog1.8K")).expect("a file of ours");
     wait_for("no problems in 1 file");
+    std::fs::create_dir(bench.path("new")).expect("a folder of ours");
+    bench.file("new/Prog2.8K", "PROGRAM\nGOTO Nowhere\nENDP\n");
+    bench.file("p/acrc.toml", "");
+    wait_for("no problems in 1 file");
+    std::fs::rename(bench.path("new"), bench.path("p/src")).expect("a folder of ours");
+    wait_for("1 error in 2 files");
+    std::fs::remove_dir_all(bench.path("p")).expect("a folder of ours");
+    bench.file("p/Prog0.8K", "PROGRAM\nGOTO A\nGOTO B\nGOTO C\nENDP\n");
+    wait_for("3 errors in 1 file");
+    bench.file("p/Prog0.8K", "PROGRAM\nGOTO A\nENDP\n");
+    wait_for("1 error in 1 file");
     let killed = Command::new("kill").args(["-INT", &child.0.id().to_string()]).status();
     assert!(killed.expect("kill is part of every Unix").success());
     assert_eq!(child.0.wait().expect("a child").code(), Some(130));

@@ -9,15 +9,16 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-use acrc_analysis::project::{CONFIG_NAME, Selection};
+use acrc_analysis::project::{CONFIG_NAME, Selection, holds_programs};
 use acrc_diagnostics::FileReport;
 use acrc_syntax::SourceText;
 use anyhow::Context as _;
-use notify::{RecursiveMode, Watcher as _};
+use camino::Utf8Path;
+use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
+use super::Run;
 use super::checked::Checked;
 use super::show::{Notes, counted, show};
-use super::{Run, say};
 use crate::cli::{ColorChoice, LintArguments};
 use crate::commands::targets::real;
 use crate::exit::Exit;
@@ -37,7 +38,7 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
     let (sender, messages) = mpsc::channel();
     let stop = sender.clone();
     ctrlc::set_handler(move || drop(stop.send(Message::Stop))).context("cannot watch for Ctrl-C")?;
-    let mut watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
+    let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
         // Reading files is an event too.
         if let Ok(event) = event
             && !event.kind.is_access()
@@ -46,12 +47,10 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
         }
     })
     .context("cannot watch for changes")?;
+    let mut watched = Watched { watcher, folders: folders(&arguments.paths) };
     // Watching begins first, so that no change is missed.
-    for folder in folders(&arguments.paths) {
-        let refuse = || format!("cannot watch {}", folder.display());
-        watcher.watch(&folder, RecursiveMode::Recursive).with_context(refuse)?;
-    }
-    let mut session = Session { run: Run::load(arguments, selection, false)?, selection, color };
+    watched.attach()?;
+    let mut session = Session { run: Run::load(arguments, selection, false)?, watched, selection, color };
     loop {
         session.show()?;
         if nobody_reads() {
@@ -64,6 +63,41 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
                 Some(_) => {}
             }
         }
+    }
+}
+
+/// The folders that are watched, and what they lie in, so that one that was removed is seen when it comes back.
+struct Watched {
+    watcher: RecommendedWatcher,
+    /// None inside another.
+    folders: BTreeSet<PathBuf>,
+}
+
+impl Watched {
+    /// Begins, or begins anew: the watch of a folder that was removed is not that of the one that has its name now.
+    fn attach(&mut self) -> anyhow::Result<()> {
+        for folder in &self.folders {
+            if let Some(above) = folder.ancestors().skip(1).find(|above| above.is_dir()) {
+                // A folder that may be passed through need not be one that may be watched.
+                let _ = self.watcher.watch(above, RecursiveMode::NonRecursive);
+            }
+            if folder.is_dir() {
+                let _ = self.watcher.unwatch(folder);
+                let refuse = || format!("cannot watch {}", folder.display());
+                self.watcher.watch(folder, RecursiveMode::Recursive).with_context(refuse)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A folder that is watched lies at this path or below it.
+    fn lie_in(&self, path: &Path) -> bool {
+        self.folders.iter().any(|folder| folder.starts_with(path))
+    }
+
+    /// The path lies in a folder that is watched.
+    fn hold(&self, path: &Path) -> bool {
+        self.folders.iter().any(|folder| path.starts_with(folder))
     }
 }
 
@@ -94,6 +128,7 @@ fn next(messages: &Receiver<Message>) -> Option<BTreeSet<PathBuf>> {
 
 struct Session<'a> {
     run: Run<'a>,
+    watched: Watched,
     selection: &'a Selection,
     color: ColorChoice,
 }
@@ -117,7 +152,9 @@ impl Session<'_> {
         for path in changed {
             let step = match known.get(path) {
                 Some(&(project, file)) => self.read(path, project, file),
-                None => need_of_other(path, &known),
+                None if self.watched.lie_in(path) => Need::Load,
+                None if self.watched.hold(path) => need_of_other(path, &known),
+                None => Need::Nothing,
             };
             need = match (need, step) {
                 (Need::Load, _) | (_, Need::Load) => Need::Load,
@@ -128,7 +165,11 @@ impl Session<'_> {
         match need {
             Need::Nothing => return Ok(false),
             Need::Check => self.run.projects.iter_mut().for_each(Checked::check),
-            Need::Load => self.run = Run::load(self.run.arguments, self.selection, false)?,
+            Need::Load => {
+                let attached = self.watched.attach();
+                self.run = Run::load(self.run.arguments, self.selection, false)?;
+                self.run.errors.extend(attached.err());
+            }
         }
         Ok(true)
     }
@@ -168,17 +209,17 @@ impl Session<'_> {
         let found: Vec<_> = self.run.projects.iter().map(|checked| checked.found.clone()).collect();
         let notes = Notes { fixed: None, hidden: self.run.hide()? };
         let reports: Vec<FileReport<'_>> = self.run.projects.iter().flat_map(Checked::reports).collect();
-        show(&reports, notes, options, self.color, &[])?;
+        if !self.run.projects.is_empty() || self.run.errors.is_empty() {
+            show(&reports, notes, options, self.color, &[])?;
+        }
         drop(reports);
         // What a baseline hides now may be looked for again.
         for (checked, found) in self.run.projects.iter_mut().zip(found) {
             checked.found = found;
         }
-        let terminal = Terminal::error(self.color);
-        for error in &self.run.errors {
-            say(error, terminal);
-        }
+        self.run.say_troubles(self.color);
         if !options.quiet {
+            let terminal = Terminal::error(self.color);
             let files: usize = self.run.projects.iter().map(|checked| checked.project.files.len()).sum();
             let line = format!("watching {}; Ctrl-C ends this", counted(files, "file"));
             tell(|err| writeln!(err, "{}", terminal.faint(&line)));
@@ -191,11 +232,11 @@ impl Session<'_> {
 fn need_of_other(path: &Path, known: &BTreeMap<PathBuf, (usize, usize)>) -> Need {
     let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     let is_program = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("8k"));
-    // A folder that is moved or removed takes its files along.
-    let holds_files = || known.range(path.to_owned()..).next().is_some_and(|(file, _)| file.starts_with(path));
-    if name == CONFIG_NAME || name == ".gitignore" || is_program || (!path.is_dir() && holds_files()) {
-        Need::Load
-    } else {
-        Need::Nothing
+    if name == CONFIG_NAME || name == ".gitignore" || is_program {
+        return Need::Load;
     }
+    // A folder that is moved takes its files along.
+    let held_files = known.range(path.to_owned()..).next().is_some_and(|(file, _)| file.starts_with(path));
+    let holds_files = path.is_dir() && (held_files || Utf8Path::from_path(path).is_some_and(holds_programs));
+    if held_files == holds_files { Need::Nothing } else { Need::Load }
 }
