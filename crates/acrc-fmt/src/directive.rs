@@ -3,6 +3,9 @@
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Line, StatementKind};
 
+/// What a comment for acrc begins with.
+const MARK: &str = "acrc:";
+
 /// What a comment tells the formatter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Directive {
@@ -25,9 +28,9 @@ pub(crate) fn of(text: &str, tree: &Tree, line: &Line) -> Option<Directive> {
         },
         _ => return None,
     };
-    let mut words = comment.split_ascii_whitespace();
-    let mut next_is = |word: &str| words.next().is_some_and(|next| next.eq_ignore_ascii_case(word));
-    if !next_is("acrc:") || !next_is("fmt") {
+    let (mark, order) = comment.trim_start().split_at_checked(MARK.len())?;
+    let mut words = order.split_ascii_whitespace();
+    if !mark.eq_ignore_ascii_case(MARK) || !words.next()?.eq_ignore_ascii_case("fmt") {
         return None;
     }
     let directive = match words.next()? {

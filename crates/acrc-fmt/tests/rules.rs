@@ -181,7 +181,7 @@ fn lines_that_cannot_be_read_stay() {
 #[test]
 fn regions_are_left_alone() {
     insta::assert_snapshot!(standard(
-        "set32\n  '  ACRC: fmt  off\nset33   :   clr34\n\n\n   x5  \n'acrc: fmt on\nset35\nRETURN\nREM acrc: fmt off\n_a\n   set 36\n\n"
+        "set32\n  '  ACRC: fmt  off\nset33   :   clr34\n\n\n   x5  \n'acrc:fmt on\nset35\nRETURN\nREM acrc: fmt off\n_a\n   set 36\n\n"
     ));
 }
 

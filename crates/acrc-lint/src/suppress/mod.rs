@@ -116,7 +116,7 @@ fn collect(file: &FileContext<'_>, said: &mut Vec<Diagnostic>) -> Vec<Suppressio
             waiting = suppressions.len();
         }
         let Some((site, body)) = site(file.text, line, at, statements) else { continue };
-        let (allow, mistake) = comment::read(file.text.get(body.range()).unwrap_or_default(), body.start);
+        let (allow, mistake) = comment::read(file.text.get(body.range()).unwrap_or_default(), body.start, site.alone);
         said.extend(mistake.map(unknown_suppression::mistake));
         suppressions.extend(allow.map(|allow| Suppression { allow, site, lines: at..=at }));
     }

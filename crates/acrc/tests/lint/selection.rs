@@ -114,6 +114,11 @@ fn comments_suppress_findings() {
         ("' acrc: allow(flow)\nSET 32\n", &["t.8K:1 ACR902"]),
         ("' acrc: allow(ACR021)\nSET 32\n", &["t.8K:1 ACR902"]),
         ("' acrc: permit(ACR101)\nSET 32\n", &["t.8K:1 ACR902"]),
+        (
+            "' acrc: fmt offf\n' acrc: alow(ACR101)\n' acrc: allow(ACR101\nSET 32\n",
+            &["t.8K:1 ACR902", "t.8K:2 ACR902", "t.8K:3 ACR902"],
+        ),
+        ("SET 32 : REM acrc: fmt off\nREM acrc fmt on\n", &["t.8K:1 ACR902", "t.8K:2 ACR902"]),
         ("' acrc: fmt off\n' about acrc: allow(\nSET 32\n", &[]),
         ("' acrc: allow(ACR101)\n' acrc: allow(ACR007)\nCLEAR : DIM LV10 : GOTO A\n", &[]),
         ("' acrc: allow(ACR101)\nGOTO A : REM acrc: allow(ACR101)\n", &["t.8K:1 ACR901"]),

@@ -12,9 +12,9 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Suppressions,
         severity: Severity::Warning,
         enabled: true,
-        what: "A comment that begins with `acrc:` is not understood, or names a rule that does not exist or can't be \
-               suppressed.",
-        why: "It looks as if a finding were suppressed, and nothing is.",
+        what: "A comment that begins with `acrc:`, or nearly so, is not understood, or names a rule that does not exist or \
+               can't be suppressed.",
+        why: "It looks as if a finding were suppressed or the formatter switched off, and nothing is.",
         bad: "PROG0\nPROGRAM\n' acrc: allow(undefined-lable)\nGOTO Recipe\nENDP",
         good: "PROG0\nPROGRAM\n' acrc: allow(undefined-label)\nGOTO Recipe\nENDP",
         guide: "says nothing of tools; the comment is one of acrc",
