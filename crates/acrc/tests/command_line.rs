@@ -73,6 +73,14 @@ fn what_cannot_be_read_gets_one_clear_message() {
     bench.file("model/acrc.toml", "[project]\nmodel = \"ACR900\"\nfiles = [\"a.8K\"]\n");
     bench.file("model/a.8K", CLEAN);
     bench.file("listed/acrc.toml", "[project]\nfiles = [\"gone.8K\"]\n");
+    bench.file("bare/acrc.toml", "");
+    bench.file("folder/acrc.toml", "[project]\nfiles = [\"src\"]\n");
+    bench.file("folder/src/a.8K", CLEAN);
+    bench.file("pattern/acrc.toml", "[project]\nfiles = [\"*.8K\"]\n");
+    bench.file("pattern/a.8K", CLEAN);
+    bench.file("twice/acrc.toml", "[project]\nfiles = [\"a.8K\", \"./a.8K\"]\n");
+    bench.file("twice/a.8K", CLEAN);
+    bench.file("toml/acrc.toml/a.8K", CLEAN);
     for (path, expected) in [
         ("nothing.8K", "does not exist"),
         ("empty", "holds no program"),
@@ -80,6 +88,11 @@ fn what_cannot_be_read_gets_one_clear_message() {
         ("bad", "acrc.toml"),
         ("model", "ACR9000"),
         ("listed", "gone.8K"),
+        ("bare", "`bare/acrc.toml` has no program beside it or in src/"),
+        ("folder", "lists `src`, which is a folder"),
+        ("pattern", "lists `*.8K`, which does not exist: patterns are not read"),
+        ("twice", "lists `./a.8K` twice"),
+        ("toml", "`toml/acrc.toml` is a folder"),
     ] {
         for command in ["lint", "sim"] {
             let run = bench.acrc([command, path]).expect(2);

@@ -1,6 +1,6 @@
 //! Which files belong to a project, and in which order they are sent: setup, programs, PLC programs, the rest by name.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
 
@@ -20,15 +20,19 @@ pub(super) fn in_directory(files: &dyn Files, directory: &Utf8Path) -> Result<Ve
     Ok(in_order(found))
 }
 
-/// The programs next to an `acrc.toml` in `root` and in `src/`.
-pub(super) fn beside_config(files: &dyn Files, root: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
+/// The programs next to the description `config` in `root` and in `src/`.
+pub(super) fn beside_config(
+    files: &dyn Files,
+    config: &Utf8Path,
+    root: &Utf8Path,
+) -> Result<Vec<Utf8PathBuf>, LoadError> {
     let source = root.join(SOURCE_DIRECTORY);
     let mut found = programs(files, here(root))?;
     if matches!(files.kind(&source), Ok(FileKind::Directory)) {
         found.extend(programs(files, &source)?);
     }
     if found.is_empty() {
-        return Err(LoadError::NoPrograms { directory: here(root).to_owned() });
+        return Err(LoadError::NoProgramsBeside { config: config.to_owned() });
     }
     Ok(in_order(found))
 }
@@ -45,20 +49,21 @@ pub(super) fn listed(
     }
     let canonical = |path: &Utf8Path| files.canonical(path).map_err(|source| super::io_error(path, source));
     let inside = canonical(here(root))?;
-    listed
-        .iter()
-        .map(|file| {
-            let path = root.join(file);
-            match canonical(&path) {
-                Ok(real) if real.starts_with(&inside) => Ok(path),
-                Ok(_) => Err(LoadError::OutsideProject { config: config.to_owned(), file: file.clone() }),
-                Err(LoadError::Missing { .. }) => {
-                    Err(LoadError::ListedFileMissing { config: config.to_owned(), file: file.clone() })
-                }
-                Err(error) => Err(error),
+    let mut seen = BTreeSet::new();
+    let mut check = |file: &Utf8PathBuf| {
+        let path = root.join(file);
+        let (config, file) = (config.to_owned(), file.clone());
+        match canonical(&path) {
+            Ok(real) if !real.starts_with(&inside) => Err(LoadError::OutsideProject { config, file }),
+            Ok(_) if matches!(files.kind(&path), Ok(FileKind::Directory)) => {
+                Err(LoadError::FolderListed { config, file })
             }
-        })
-        .collect()
+            Ok(real) => seen.insert(real).then_some(path).ok_or(LoadError::ListedTwice { config, file }),
+            Err(LoadError::Missing { .. }) => Err(LoadError::ListedFileMissing { config, file }),
+            Err(error) => Err(error),
+        }
+    };
+    listed.iter().map(&mut check).collect()
 }
 
 /// Gives each file its role; a program or setup that is there twice is an error.

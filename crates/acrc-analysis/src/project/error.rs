@@ -3,7 +3,7 @@
 use std::io;
 
 use acrc_syntax::DecodeError;
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use thiserror::Error;
 
 use crate::FileRole;
@@ -26,6 +26,15 @@ pub enum LoadError {
         /// The directory that was searched.
         directory: Utf8PathBuf,
     },
+    /// A description in whose places for programs there are none.
+    #[error(
+        "`{config}` has no program beside it or in src/: expected files named Setup.8K, Prog0.8K to Prog15.8K, PLC0.8K \
+         to PLC7.8K or any other *.8K, or a list `files` in [project]"
+    )]
+    NoProgramsBeside {
+        /// The project description.
+        config: Utf8PathBuf,
+    },
     /// The bytes are no text.
     #[error("`{path}` can't be read as a program")]
     Decode {
@@ -47,6 +56,12 @@ pub enum LoadError {
     /// A pipe, a device or the like.
     #[error("`{path}` is neither a file nor a directory")]
     NotAFile {
+        /// The path.
+        path: Utf8PathBuf,
+    },
+    /// A folder where a file should be.
+    #[error("`{path}` is a folder; a file is expected there")]
+    Folder {
         /// The path.
         path: Utf8PathBuf,
     },
@@ -87,11 +102,30 @@ pub enum LoadError {
         config: Utf8PathBuf,
     },
     /// A listed file is not there.
-    #[error("`{config}` lists `{file}`, which does not exist")]
+    #[error("`{config}` lists `{file}`, which does not exist{}", patterns_are_not_read(file))]
     ListedFileMissing {
         /// The project description.
         config: Utf8PathBuf,
         /// The path as listed.
+        file: Utf8PathBuf,
+    },
+    /// A folder is listed.
+    #[error(
+        "`{config}` lists `{file}`, which is a folder: name the files in it one by one, or leave `files` out to find \
+         them beside acrc.toml and in src/"
+    )]
+    FolderListed {
+        /// The project description.
+        config: Utf8PathBuf,
+        /// The path as listed.
+        file: Utf8PathBuf,
+    },
+    /// A file is listed more than once.
+    #[error("`{config}` lists `{file}` twice")]
+    ListedTwice {
+        /// The project description.
+        config: Utf8PathBuf,
+        /// The path as listed the second time.
         file: Utf8PathBuf,
     },
     /// A listed file lies outside of the project's directory, directly or through a symbolic link.
@@ -112,6 +146,15 @@ pub enum LoadError {
         /// The other.
         second: Utf8PathBuf,
     },
+}
+
+fn patterns_are_not_read(file: &Utf8Path) -> &'static str {
+    if file.as_str().contains(['*', '?', '[', '{']) {
+        ": patterns are not read here, since the order of the files counts; name them one by one, or leave `files` out \
+         to find them beside acrc.toml and in src/"
+    } else {
+        ""
+    }
 }
 
 fn did_you_mean(suggestion: Option<&str>, known: &[&str]) -> String {

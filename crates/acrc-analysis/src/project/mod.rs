@@ -106,7 +106,7 @@ fn from_config(files: &dyn Files, path: &Utf8Path) -> Result<LoadedProject, Load
     root.clone_into(&mut config.lint.root);
     let paths = match &config.project.files {
         Some(listed) => discover::listed(files, path, root, listed)?,
-        None => discover::beside_config(files, root)?,
+        None => discover::beside_config(files, path, root)?,
     };
     let model = config.project.model.as_deref().map_or(Ok(acrc_catalog::default_model()), |name| model(path, name))?;
     Ok(LoadedProject { model, ..from_paths(files, root, config, paths)? })
@@ -215,7 +215,8 @@ fn read(files: &dyn Files, path: &Utf8Path) -> Result<Vec<u8>, LoadError> {
             Err(LoadError::TooLarge { path: path.to_owned(), len, limit: FILE_LIMIT })
         }
         FileKind::File { .. } => files.read(path).map_err(|source| io_error(path, source)),
-        FileKind::Directory | FileKind::Other => Err(LoadError::NotAFile { path: path.to_owned() }),
+        FileKind::Directory => Err(LoadError::Folder { path: path.to_owned() }),
+        FileKind::Other => Err(LoadError::NotAFile { path: path.to_owned() }),
     }
 }
 
