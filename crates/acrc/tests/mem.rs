@@ -194,3 +194,31 @@ fn what_is_used_without_memory_does_not_fit() {
     let run = bench.acrc(["mem", "p"]).expect(1);
     assert!(run.stdout.contains("Prog0.8K:2: P9 is outside DIM P(4)"), "{}", run.stdout);
 }
+
+#[test]
+fn a_computed_size_is_not_zero() {
+    let bench = Bench::new();
+    bench.file("p/Setup.8K", "SYS\nCLEAR\nDIM PROG0(P0)\nDIM PROG1(4000)\nDIM P(10)\nDIM DEF(0)\n#DEFINE Lamp BIT32\n");
+    bench.file("p/Prog0.8K", "PROGRAM\nSET Lamp\nENDP\n");
+    bench.file("p/Prog1.8K", "PROGRAM\nCLR Lamp\nENDP\n");
+    let text = bench.acrc(["mem", "p"]).expect(1).stdout;
+    assert!(text.contains("  programs                ?  at least 4,000: PROG0, PROG1\n"), "{text}");
+    assert!(text.contains("at most; sizes are computed\n"), "{text}");
+    assert!(text.contains(": 1 alias, DEF has room for 0\n"), "{text}");
+    let json = bench.acrc(["mem", "p", "--format", "json"]).expect(1).stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert!(json["system"]["used"].is_null() && json["system"]["free"].is_null());
+}
+
+#[test]
+fn what_keeps_a_project_from_being_counted_is_shown() {
+    let bench = Bench::new();
+    bench.file("p/Prog0.8K", "PROGRAM\n' acrc: allow(ACR101)\nGOTO Nowhere\nENDP\n");
+    let run = bench.acrc(["mem", "p"]).expect(1);
+    assert!(run.stderr.contains("p/Prog0.8K:3:6"), "{}", run.stderr);
+    assert!(
+        run.stderr.ends_with("p/Prog0.8K has no account of its memory before these are mended: 1 error in 1 file\n"),
+        "{}",
+        run.stderr
+    );
+}

@@ -133,7 +133,12 @@ impl Report {
         self.system.iter().filter_map(|line| line.bytes).sum()
     }
 
-    /// Bytes that are left.
+    /// More may be given away: sizes are computed.
+    pub fn is_open(&self) -> bool {
+        self.system.iter().any(|line| line.bytes.is_none())
+    }
+
+    /// Bytes that are left, at most.
     pub fn free(&self) -> u64 {
         self.total.saturating_sub(self.used())
     }

@@ -7,15 +7,18 @@ use crate::cli::{BuildArguments, ColorChoice};
 use crate::exit::Exit;
 use crate::output::{Terminal, print, refuse_clashes, write_file};
 
+/// What errors leave undone.
+const NOT_BUILT: &str = "is not built";
+
 pub(super) fn run(arguments: &BuildArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = load(&arguments.project)?;
     refuse_clashes(&[&arguments.output], &inputs(&project))?;
     let terminal = Terminal::error(color);
-    let Some(mut image) = compile(&project, terminal) else { return Ok(Exit::Findings) };
+    let Some(mut image) = compile(&project, NOT_BUILT, terminal) else { return Ok(Exit::Findings) };
     // An image is for a controller: what is known to fail there is not put into one.
     let errors = errors_of(check(&project));
     if !errors.iter().all(Vec::is_empty) {
-        show_errors(&project, &errors, terminal);
+        show_errors(&project, &errors, NOT_BUILT, terminal);
         return Ok(Exit::Findings);
     }
     if image.boot.words.is_empty() && image.programs.is_empty() {

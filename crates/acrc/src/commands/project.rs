@@ -61,8 +61,8 @@ pub(crate) fn reports<'a>(project: &'a LoadedProject, found: &'a [Vec<Diagnostic
     files.map(|(file, list)| FileReport::new(SourceFile::new(file.path.as_str(), &file.source.text), list)).collect()
 }
 
-/// Compiles a project. What is wrong with it goes to standard error; `None` then.
-pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> Option<Image> {
+/// Compiles a project. What is wrong with it goes to standard error, and what is `undone` for it; `None` then.
+pub(crate) fn compile(project: &LoadedProject, undone: &str, terminal: Terminal) -> Option<Image> {
     let errors = match project.compile() {
         Ok(image) => return Some(image),
         Err(errors) => errors,
@@ -76,7 +76,7 @@ pub(crate) fn compile(project: &LoadedProject, terminal: Terminal) -> Option<Ima
             }
         }
     }
-    show_errors(project, &found, terminal);
+    show_errors(project, &found, undone, terminal);
     None
 }
 
@@ -88,11 +88,11 @@ pub(crate) fn errors_of(mut found: Vec<Vec<Diagnostic>>) -> Vec<Vec<Diagnostic>>
     found
 }
 
-/// Shows errors on standard error.
-pub(crate) fn show_errors(project: &LoadedProject, found: &[Vec<Diagnostic>], terminal: Terminal) {
+/// Shows errors on standard error, and says what is `undone` for them.
+pub(crate) fn show_errors(project: &LoadedProject, found: &[Vec<Diagnostic>], undone: &str, terminal: Terminal) {
     let reports = reports(project, found);
     tell(|err| {
         text::render(&reports, text::Options { color: terminal.color, ..text::Options::default() }, err)?;
-        writeln!(err, "{} is not built: {}", title(project), Summary::of(&reports))
+        writeln!(err, "{} {undone}: {}", title(project), Summary::of(&reports))
     });
 }

@@ -29,7 +29,10 @@ fn check(context: &mut Context<'_>) {
         let defined = sites::counted(aliases, "alias").replace("aliass", "aliases");
         let message = match room {
             Some(room) => format!("the project defines {defined} but DIM DEF({room}) holds {}", sites::number(room)),
-            None => format!("the project defines {defined} but no DIM DEF makes room for them"),
+            None => {
+                let them = if aliases == 1 { "it" } else { "them" };
+                format!("the project defines {defined} but no DIM DEF makes room for {them}")
+            }
         };
         let diagnostic = RULE
             .at(sites::span(context, site), message)
@@ -55,7 +58,9 @@ mod tests {
 
     #[test]
     fn a_setup_without_room() {
-        assert_eq!(codes("SYS\nCLEAR\n#DEFINE A BIT1\n"), [(3, "ACR407")]);
+        let found = lint(&[("Setup.8K", "SYS\nCLEAR\n#DEFINE A BIT1\n")]);
+        let own = found[0].iter().find(|found| found.code.id == "ACR407").expect("it was found");
+        assert_eq!(own.message, "the project defines 1 alias but no DIM DEF makes room for it");
         assert_eq!(codes("PROG0\n#DEFINE A BIT1\n"), [], "the memory is given elsewhere");
         assert_eq!(codes("SYS\nDIM DEF(P0)\nDIM P(1)\n#DEFINE A BIT1\n"), [], "a computed size");
     }

@@ -26,8 +26,9 @@ struct Document {
 #[derive(Serialize)]
 struct System {
     total: u64,
-    used: u64,
-    free: u64,
+    /// Null when the size of a block is computed, as `free` is.
+    used: Option<u64>,
+    free: Option<u64>,
     blocks: Vec<SystemBlockBytes>,
     aliases: u64,
     parameters: u64,
@@ -121,8 +122,8 @@ pub(super) fn write(account: &Account<'_>, out: &mut dyn Write) -> io::Result<()
         over: account.is_over(),
         system: System {
             total: report.total,
-            used: report.used(),
-            free: report.free(),
+            used: (!report.is_open()).then(|| report.used()),
+            free: (!report.is_open()).then(|| report.free()),
             blocks: report.system.iter().map(SystemBlockBytes::from).collect(),
             aliases: report.aliases,
             parameters: report.parameters.count,

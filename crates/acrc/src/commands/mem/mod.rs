@@ -24,7 +24,10 @@ const NARROWEST: usize = 50;
 
 pub(super) fn run(arguments: &MemArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = load(&arguments.project)?;
-    let Some(image) = compile(&project, Terminal::error(color)) else { return Ok(Exit::Findings) };
+    let Some(image) = compile(&project, "has no account of its memory before these are mended", Terminal::error(color))
+    else {
+        return Ok(Exit::Findings);
+    };
     let db = Database::new();
     let input = project.add_to(&db);
     let report = report(&db, input, &image).context("the compiled project can't be read")?;

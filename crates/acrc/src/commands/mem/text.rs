@@ -90,7 +90,8 @@ impl Page {
         for line in others {
             Self::row(text, &system_name(line), &unknown_or(line.bytes), &system_remark(report, line));
         }
-        Self::row(text, "free", &grouped(report.free()), "");
+        let remark = if report.is_open() { "at most; sizes are computed" } else { "" };
+        Self::row(text, "free", &grouped(report.free()), remark);
     }
 
     /// Programs with what they have together, and their names.
@@ -98,13 +99,17 @@ impl Page {
         if lines.is_empty() {
             return;
         }
-        let bytes = lines.iter().filter_map(|line| line.bytes).sum();
+        let known: u64 = lines.iter().filter_map(|line| line.bytes).sum();
+        let is_open = lines.iter().any(|line| line.bytes.is_none());
         let mut names = ranges(lines);
         if lines.iter().all(|line| line.factory) {
             names.push_str(", factory settings");
         }
+        if is_open && known > 0 {
+            names.insert_str(0, &format!("at least {}: ", grouped(known)));
+        }
         let room = self.columns.saturating_sub(INDENT.len() + NAME + NUMBER + 2);
-        Self::row(text, name, &grouped(bytes), &shortened(&names, room));
+        Self::row(text, name, &unknown_or((!is_open).then_some(known)), &shortened(&names, room));
     }
 
     fn program(&self, text: &mut String, account: &Account<'_>, program: &ProgramReport) {
@@ -254,7 +259,8 @@ fn refusal(kind: IssueKind) -> String {
             format!("{class}{array} has no reference; DIM {class}(n) comes first")
         }
         IssueKind::TooManyAliases { aliases, room } => {
-            format!("{} aliases, DEF has room for {}", grouped(aliases), grouped(room.unwrap_or(0)))
+            let noun = if aliases == 1 { "alias" } else { "aliases" };
+            format!("{} {noun}, DEF has room for {}", grouped(aliases), grouped(room.unwrap_or(0)))
         }
         IssueKind::TooLarge { .. } | IssueKind::NotCleared(_) => String::new(),
     }

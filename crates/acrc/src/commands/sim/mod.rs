@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).collect();
     refuse_clashes(&outputs, &inputs)?;
     let world = load_world(arguments, &project)?;
-    let Some(image) = compile(&project, Terminal::error(color)) else {
+    let Some(image) = compile(&project, "is not run", Terminal::error(color)) else {
         bail!("{} cannot be run before that is mended", title(&project));
     };
     if image.boot.words.is_empty() && image.programs.is_empty() {
