@@ -7,56 +7,100 @@
 use std::collections::HashMap;
 use std::io::{self, Write};
 
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite, XmlString};
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, BytesText, Event};
 
 use crate::plain::plain_line;
 use crate::remarks::message_with_remarks;
 use crate::xml::xml_name;
-use crate::{Code, Diagnostic, FileReport, Position, Severity};
+use crate::{Code, Diagnostic, FileReport, Position, Severity, SourceFile};
 
 /// The test of a file in which nothing was found.
 const CLEAN: &str = "no findings";
+const INDENT: usize = 4;
 
-/// Writes every file with its findings, in the order of `reports`. The report is built in memory before it is written.
+/// Writes every file with its findings, in the order of `reports`.
 pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
-    let mut document = Report::new("acrc");
-    document.add_test_suites(reports.iter().map(suite));
-    // By way of a buffer, since the writer of the report would hide the kind of an error of `out`.
-    let mut text = Vec::new();
-    document.serialize(&mut text).map_err(io::Error::other)?;
-    out.write_all(&text)
+    let mut xml = Writer::new_with_indent(out, b' ', INDENT);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let counts: Vec<Counts> = reports.iter().map(Counts::of).collect();
+    let Counts { tests, skipped, failures } = counts.iter().copied().sum();
+    let attributes = [("tests", tests), ("skipped", skipped), ("failures", failures), ("errors", 0)];
+    let attributes = attributes.map(|(name, count)| (name, count.to_string()));
+    let attributes = attributes.iter().map(|(name, count)| (*name, count.as_str()));
+    let document = xml.create_element("testsuites").with_attribute(("name", "acrc")).with_attributes(attributes);
+    let mut suites = reports.iter().zip(counts);
+    document.write_inner_content(|xml| suites.try_for_each(|(report, counts)| suite(report, counts, xml)))?;
+    // What goes before the next thing ends the last line.
+    xml.write_indent()
 }
 
-fn suite(report: &FileReport<'_>) -> TestSuite {
-    let name = XmlString::new(xml_name(report.file().name));
-    let mut suite = TestSuite::new(name.clone());
-    if report.diagnostics().is_empty() {
-        let mut clean = TestCase::new(CLEAN, TestCaseStatus::success());
-        clean.set_classname(name.clone());
-        suite.add_test_case(clean);
-    }
-    let mut names = Names::default();
-    for diagnostic in report.diagnostics() {
-        let place = report.file().position(diagnostic.span.start);
-        let mut case = TestCase::new(names.next(diagnostic, place), status(diagnostic, place));
-        case.set_classname(name.clone());
-        case.extra.insert(XmlString::new("file"), name.clone());
-        case.extra.insert(XmlString::new("line"), XmlString::new(place.line.to_string()));
-        suite.add_test_case(case);
-    }
-    suite
+/// The tests of a suite or of all.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    tests: usize,
+    skipped: usize,
+    failures: usize,
 }
 
-fn status(diagnostic: &Diagnostic, place: Position) -> TestCaseStatus {
-    let mut status = match diagnostic.severity {
-        Severity::Error | Severity::Warning => TestCaseStatus::non_success(NonSuccessKind::Failure),
-        Severity::Advice => TestCaseStatus::skipped(),
-    };
-    status.set_type(diagnostic.severity.as_str());
-    status.set_message(&*plain_line(&diagnostic.message));
-    let Position { line, column } = place;
-    status.set_description(format!("line {line}, column {column}\n{}", message_with_remarks(diagnostic)));
-    status
+impl Counts {
+    fn of(report: &FileReport<'_>) -> Self {
+        let found = report.diagnostics();
+        let skipped = found.iter().filter(|found| found.severity == Severity::Advice).count();
+        Self { tests: found.len().max(1), skipped, failures: found.len() - skipped }
+    }
+}
+
+impl std::iter::Sum for Counts {
+    fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
+        counts.fold(Self::default(), |all, one| Self {
+            tests: all.tests + one.tests,
+            skipped: all.skipped + one.skipped,
+            failures: all.failures + one.failures,
+        })
+    }
+}
+
+fn suite<W: Write>(report: &FileReport<'_>, counts: Counts, xml: &mut Writer<W>) -> io::Result<()> {
+    let name = xml_name(report.file().name);
+    let Counts { tests, skipped, failures } = counts;
+    let attributes = [("tests", tests), ("skipped", skipped), ("errors", 0), ("failures", failures)];
+    let attributes = attributes.map(|(name, count)| (name, count.to_string()));
+    let attributes = attributes.iter().map(|(name, count)| (*name, count.as_str()));
+    let element = xml.create_element("testsuite").with_attribute(("name", name.as_str())).with_attributes(attributes);
+    element.write_inner_content(|xml| {
+        if report.diagnostics().is_empty() {
+            let clean = [("name", CLEAN), ("classname", &name)];
+            xml.create_element("testcase").with_attributes(clean).write_empty()?;
+        }
+        let mut names = Names::default();
+        report.diagnostics().iter().try_for_each(|found| case(found, report.file(), &name, &mut names, xml))
+    })?;
+    Ok(())
+}
+
+fn case<W: Write>(
+    diagnostic: &Diagnostic,
+    file: &SourceFile<'_>,
+    file_name: &str,
+    names: &mut Names,
+    xml: &mut Writer<W>,
+) -> io::Result<()> {
+    let place = file.position(diagnostic.span.start);
+    let (name, line) = (names.next(diagnostic, place), place.line.to_string());
+    let attributes = [("name", name.as_str()), ("classname", file_name), ("file", file_name), ("line", &line)];
+    xml.create_element("testcase").with_attributes(attributes).write_inner_content(|xml| {
+        let outcome = match diagnostic.severity {
+            Severity::Error | Severity::Warning => "failure",
+            Severity::Advice => "skipped",
+        };
+        let message = plain_line(&diagnostic.message);
+        let attributes = [("message", &*message), ("type", diagnostic.severity.as_str())];
+        let Position { line, column } = place;
+        let text = format!("line {line}, column {column}\n{}", message_with_remarks(diagnostic));
+        xml.create_element(outcome).with_attributes(attributes).write_text_content(BytesText::new(&text)).map(drop)
+    })?;
+    Ok(())
 }
 
 /// The names of the cases of a suite. No two are alike: services drop all but one of the cases that share a name.
