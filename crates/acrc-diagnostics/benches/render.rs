@@ -20,13 +20,13 @@ type Render = fn(&[FileReport<'_>], &mut dyn Write) -> io::Result<()>;
 
 const FORMATS: &[(&str, Render)] = &[
     ("concise", concise::render),
-    ("json", json::render),
-    ("jsonl", jsonl::render),
-    ("sarif", |reports, out| sarif::render(reports, &|_| None, out)),
-    ("github", github::render),
-    ("gitlab", gitlab::render),
-    ("junit", junit::render),
-    ("checkstyle", checkstyle::render),
+    ("json", |reports, out| json::render(reports, &[], out)),
+    ("jsonl", |reports, out| jsonl::render(reports, &[], out)),
+    ("sarif", |reports, out| sarif::render(reports, &[], &|_| None, out)),
+    ("github", |reports, out| github::render(reports, &[], out)),
+    ("gitlab", |reports, out| gitlab::render(reports, &[], out)),
+    ("junit", |reports, out| junit::render(reports, &[], out)),
+    ("checkstyle", |reports, out| checkstyle::render(reports, &[], out)),
 ];
 
 /// A finding at a label that is not defined, at evenly spread lines.

@@ -9,19 +9,23 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
 use crate::plain::plain_line;
+use crate::unchecked::NOT_CHECKED;
 use crate::xml::xml_name;
-use crate::{Diagnostic, FileReport, Severity, SourceFile};
+use crate::{Diagnostic, FileReport, Severity, SourceFile, Unchecked};
 
 /// The version of Checkstyle whose format this is, as readers expect it.
 const FORMAT_VERSION: &str = "4.3";
 const INDENT: usize = 2;
 
-/// Writes every file with its findings, in the order of `reports`.
-pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
+/// Writes every file with its findings, in the order of `reports`, then what is `unchecked`, as errors in line 1.
+pub fn render(reports: &[FileReport<'_>], unchecked: &[Unchecked], out: &mut dyn Write) -> io::Result<()> {
     let mut xml = Writer::new_with_indent(out, b' ', INDENT);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let document = xml.create_element("checkstyle").with_attribute(("version", FORMAT_VERSION));
-    document.write_inner_content(|xml| reports.iter().try_for_each(|report| file(report, xml)))?;
+    document.write_inner_content(|xml| {
+        reports.iter().try_for_each(|report| file(report, xml))?;
+        unchecked.iter().try_for_each(|unchecked| not_checked(unchecked, xml))
+    })?;
     // What goes before the next thing ends the last line.
     xml.write_indent()
 }
@@ -36,6 +40,16 @@ fn file<W: Write>(report: &FileReport<'_>, xml: &mut Writer<W>) -> io::Result<()
             report.diagnostics().iter().try_for_each(|diagnostic| error(report.file(), diagnostic, xml))
         })?;
     }
+    Ok(())
+}
+
+fn not_checked<W: Write>(unchecked: &Unchecked, xml: &mut Writer<W>) -> io::Result<()> {
+    let (name, source) = (xml_name(unchecked.name_or_tool()), format!("acrc.{NOT_CHECKED}"));
+    let message = plain_line(&unchecked.reason);
+    let attributes = [("line", "1"), ("severity", "error"), ("message", &message), ("source", source.as_str())];
+    let element = xml.create_element("file").with_attribute(("name", name.as_str()));
+    element
+        .write_inner_content(|xml| xml.create_element("error").with_attributes(attributes).write_empty().map(drop))?;
     Ok(())
 }
 

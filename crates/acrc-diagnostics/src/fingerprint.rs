@@ -6,6 +6,7 @@ use std::hash::Hasher as _;
 
 use siphasher::sip::SipHasher13;
 
+use crate::unchecked::NOT_CHECKED;
 use crate::{Diagnostic, SourceFile};
 
 /// Gives each finding of a report a name of its own.
@@ -36,8 +37,18 @@ impl Fingerprints {
         hasher.write(&self.scope.to_le_bytes());
         hasher.write(&self.line_hash(file, diagnostic).to_le_bytes());
         hasher.write(diagnostic.code.id.as_bytes());
-        let hash = hasher.finish();
+        self.counted(hasher.finish())
+    }
 
+    /// The name of the file itself, which could not be checked.
+    pub(crate) fn of_unchecked(&mut self) -> String {
+        let mut hasher = SipHasher13::new();
+        hasher.write(&self.scope.to_le_bytes());
+        hasher.write(NOT_CHECKED.as_bytes());
+        self.counted(hasher.finish())
+    }
+
+    fn counted(&mut self, hash: u64) -> String {
         let count = self.seen.entry(hash).or_default();
         *count += 1;
         format!("{hash:016x}:{count}")

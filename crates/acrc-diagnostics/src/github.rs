@@ -14,10 +14,19 @@ use std::io::{self, Write};
 use crate::path::repository_path;
 use crate::plain::visible;
 use crate::remarks::message_with_remarks;
-use crate::{Diagnostic, FileReport, Severity, SourceFile};
+use crate::unchecked::NOT_CHECKED;
+use crate::{Diagnostic, FileReport, Severity, SourceFile, Unchecked};
 
-/// Writes every finding of every file as one command, in the order of `reports`.
-pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
+/// Writes every finding of every file as one command, in the order of `reports`, after what is `unchecked`, since the
+/// runner does not show all.
+pub fn render(reports: &[FileReport<'_>], unchecked: &[Unchecked], out: &mut dyn Write) -> io::Result<()> {
+    for Unchecked { name, reason } in unchecked {
+        write!(out, "::error title={NOT_CHECKED}")?;
+        if let Some(name) = name {
+            write!(out, ",file={}", Property(&repository_path(name)))?;
+        }
+        writeln!(out, "::{}", Data(reason))?;
+    }
     for report in reports {
         let path = repository_path(report.file().name);
         for diagnostic in report.diagnostics() {

@@ -1,7 +1,8 @@
 //! JSON Lines: an object a finding, one on each line, for tools that read findings as they come.
 //!
-//! An object has the members of a finding in [`json`](crate::json). There is no summary; without findings nothing is
-//! written. A line holds no other line separator of any kind, so it may be split by any reader of lines.
+//! An object has the members of a finding in [`json`](crate::json). What could not be checked
+//! comes last, as an error with the name `not-checked`, without code and range. There is no summary; without findings
+//! nothing is written. A line holds no other line separator of any kind, so it may be split by any reader of lines.
 
 use std::io::{self, Write};
 
@@ -9,17 +10,18 @@ use serde::Serialize as _;
 use serde_json::Serializer;
 use serde_json::ser::Formatter;
 
-use crate::FileReport;
 use crate::json::finding::FindingJson;
+use crate::{FileReport, Unchecked};
 
-/// Writes every finding of every file on a line of its own, in the order of `reports`.
-pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
-    for report in reports {
-        for diagnostic in report.diagnostics() {
-            let finding = FindingJson::new(report.file(), diagnostic);
-            finding.serialize(&mut Serializer::with_formatter(&mut *out, OneLine))?;
-            out.write_all(b"\n")?;
-        }
+/// Writes every finding of every file on a line of its own, in the order of `reports`, then what is `unchecked`.
+pub fn render(reports: &[FileReport<'_>], unchecked: &[Unchecked], out: &mut dyn Write) -> io::Result<()> {
+    let found = reports.iter().flat_map(|report| {
+        let file = report.file();
+        report.diagnostics().iter().map(|diagnostic| FindingJson::new(file, diagnostic))
+    });
+    for finding in found.chain(unchecked.iter().map(FindingJson::unchecked)) {
+        finding.serialize(&mut Serializer::with_formatter(&mut *out, OneLine))?;
+        out.write_all(b"\n")?;
     }
     Ok(())
 }

@@ -11,6 +11,8 @@
 //! - [`github`] and [`gitlab`] are what these services show beside changed lines;
 //! - [`junit`] and [`checkstyle`] are the XML forms that nearly every build service can read.
 //!
+//! The forms for other programs also say what could not be checked, [`Unchecked`]; for people that is said elsewhere.
+//!
 //! [`unified_diff`] shows what fixes or a formatter would change.
 //!
 //! **Invariants.** The crate knows nothing of the language, of files on disk or of process exit codes. The same
@@ -37,6 +39,7 @@ pub mod sarif;
 mod severity;
 mod span;
 pub mod text;
+mod unchecked;
 mod xml;
 
 pub use diagnostic::{Code, Diagnostic, Label};
@@ -46,3 +49,4 @@ pub use line_index::{LineIndex, Position};
 pub use report::{FileReport, SourceFile, Summary};
 pub use severity::Severity;
 pub use span::Span;
+pub use unchecked::Unchecked;

@@ -40,7 +40,7 @@ fn concise_is_one_line_a_finding() {
 #[test]
 fn json_has_every_member() {
     let mut out = Vec::new();
-    with_reports(|reports| json::render(reports, &mut out)).expect("writing to memory works");
+    with_reports(|reports| json::render(reports, &[], &mut out)).expect("writing to memory works");
     let out = String::from_utf8(out).expect("JSON is text");
     assert_eq!(out.matches('\n').count(), 1, "one line");
     assert!(out.ends_with("}\n"));
@@ -53,8 +53,8 @@ fn json_has_every_member() {
 #[test]
 fn json_of_nothing() {
     let mut out = Vec::new();
-    json::render(&[], &mut out).expect("writing to memory works");
-    let empty = r#"{"diagnostics":[],"summary":{"files":0,"errors":0,"warnings":0,"advice":0}}"#;
+    json::render(&[], &[], &mut out).expect("writing to memory works");
+    let empty = r#"{"diagnostics":[],"errors":[],"summary":{"files":0,"errors":0,"warnings":0,"advice":0}}"#;
     assert_eq!(String::from_utf8_lossy(&out), format!("{empty}\n"));
 }
 

@@ -148,6 +148,30 @@ pub enum LoadError {
     },
 }
 
+impl LoadError {
+    /// The file or folder that is in the way.
+    pub fn path(&self) -> &Utf8Path {
+        match self {
+            Self::Missing { path }
+            | Self::Decode { path, .. }
+            | Self::TooLarge { path, .. }
+            | Self::NotAFile { path }
+            | Self::Folder { path }
+            | Self::Unreadable { path, .. }
+            | Self::Config { path, .. }
+            | Self::UnknownModel { path, .. }
+            | Self::NoPrograms { directory: path }
+            | Self::NoProgramsBeside { config: path }
+            | Self::NothingListed { config: path }
+            | Self::ListedFileMissing { config: path, .. }
+            | Self::FolderListed { config: path, .. }
+            | Self::ListedTwice { config: path, .. }
+            | Self::OutsideProject { config: path, .. }
+            | Self::TwoFiles { second: path, .. } => path,
+        }
+    }
+}
+
 fn patterns_are_not_read(file: &Utf8Path) -> &'static str {
     if file.as_str().contains(['*', '?', '[', '{']) {
         ": patterns are not read here, since the order of the files counts; name them one by one, or leave `files` out \

@@ -2,16 +2,18 @@
 
 use serde::Serialize;
 
-use crate::{Diagnostic, Edit, Fix, Label, SourceFile, Span};
+use crate::unchecked::NOT_CHECKED;
+use crate::{Diagnostic, Edit, Fix, Label, Severity, SourceFile, Span, Unchecked};
 
 #[derive(Serialize)]
 pub(crate) struct FindingJson<'a> {
-    code: &'static str,
+    /// Null for what could not be checked, and so is the range.
+    code: Option<&'static str>,
     name: &'static str,
     severity: &'static str,
     message: &'a str,
-    file: &'a str,
-    range: RangeJson,
+    file: Option<&'a str>,
+    range: Option<RangeJson>,
     help: Option<&'a str>,
     related: Vec<RelatedJson<'a>>,
     fixes: Vec<FixJson<'a>>,
@@ -20,15 +22,29 @@ pub(crate) struct FindingJson<'a> {
 impl<'a> FindingJson<'a> {
     pub(crate) fn new(file: &SourceFile<'a>, diagnostic: &'a Diagnostic) -> Self {
         Self {
-            code: diagnostic.code.id,
+            code: Some(diagnostic.code.id),
             name: diagnostic.code.name,
             severity: diagnostic.severity.as_str(),
             message: &diagnostic.message,
-            file: file.name,
-            range: RangeJson::new(file, diagnostic.span),
+            file: Some(file.name),
+            range: Some(RangeJson::new(file, diagnostic.span)),
             help: diagnostic.help.as_deref(),
             related: diagnostic.labels.iter().map(|label| RelatedJson::new(file, label)).collect(),
             fixes: diagnostic.fixes.iter().map(|fix| FixJson::new(file, fix)).collect(),
+        }
+    }
+
+    pub(crate) fn unchecked(Unchecked { name, reason }: &'a Unchecked) -> Self {
+        Self {
+            code: None,
+            name: NOT_CHECKED,
+            severity: Severity::Error.as_str(),
+            message: reason,
+            file: name.as_deref(),
+            range: None,
+            help: None,
+            related: Vec::new(),
+            fixes: Vec::new(),
         }
     }
 }
@@ -94,6 +110,9 @@ pub(crate) struct PositionJson {
 }
 
 impl PositionJson {
+    /// The beginning of a file.
+    pub(crate) const START: Self = Self { line: 1, column: 1 };
+
     pub(crate) fn new(file: &SourceFile<'_>, offset: u32) -> Self {
         let position = file.position(offset);
         Self { line: position.line, column: position.column }

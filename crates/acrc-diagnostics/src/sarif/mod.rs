@@ -8,6 +8,7 @@
 //! A result has a fingerprint of its own, `acrcLineHash/v1`. It does not bear the name `primaryLocationLineHash`: GitHub
 //! computes that one itself when a report is uploaded, and warns of a value that is not its own.
 
+mod invocation;
 mod result;
 mod rule;
 mod uri;
@@ -17,7 +18,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use crate::{Code, FileReport, Severity};
+use crate::{Code, FileReport, Severity, Unchecked};
+use invocation::Invocation;
 use result::Results;
 pub use rule::RuleInfo;
 use rule::{RuleJson, Rules};
@@ -27,9 +29,10 @@ const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 const SOURCE_ROOT: &str = "%SRCROOT%";
 
 /// Writes every finding of every file, in the order of `reports`, after the rules that occur. `info` tells what is known
-/// of a rule and is asked once for each.
+/// of a rule and is asked once for each. What is `unchecked` are notifications of an invocation that failed.
 pub fn render(
     reports: &[FileReport<'_>],
+    unchecked: &[Unchecked],
     info: &dyn Fn(Code) -> Option<RuleInfo>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -37,6 +40,7 @@ pub fn render(
     let driver = Driver { name: "acrc", semantic_version: env!("CARGO_PKG_VERSION"), rules: &rules.list };
     let run = Run {
         tool: Tool { driver },
+        invocations: [Invocation::new(unchecked)],
         original_uri_base_ids: BTreeMap::from([(SOURCE_ROOT, BaseLocation::SOURCE_ROOT)]),
         column_kind: "unicodeCodePoints",
         newline_sequences: ["\r\n", "\n", "\r"],
@@ -67,6 +71,7 @@ struct Log<'a> {
 #[serde(rename_all = "camelCase")]
 struct Run<'a> {
     tool: Tool<'a>,
+    invocations: [Invocation; 1],
     original_uri_base_ids: BTreeMap<&'static str, BaseLocation>,
     column_kind: &'static str,
     newline_sequences: [&'static str; 3],

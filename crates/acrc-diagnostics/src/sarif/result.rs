@@ -124,14 +124,14 @@ struct ResultProperties {
 }
 
 #[derive(PartialEq, Serialize)]
-struct Message {
+pub(super) struct Message {
     text: String,
 }
 
 impl Message {
     /// Braces name arguments and are doubled to stand for themselves. `](` would make a link of what is in brackets; there
     /// is no way to write it but to part the two.
-    fn new(text: &str) -> Self {
+    pub(super) fn new(text: &str) -> Self {
         Self { text: text.replace('{', "{{").replace('}', "}}").replace("](", "] (") }
     }
 }

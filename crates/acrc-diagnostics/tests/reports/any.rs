@@ -61,10 +61,10 @@ proptest! {
         ];
         let count = findings.len();
 
-        let document: Value = serde_json::from_str(&written(|out| json::render(&reports, out))).expect("JSON");
+        let document: Value = serde_json::from_str(&written(|out| json::render(&reports, &[], out))).expect("JSON");
         prop_assert_eq!(document["diagnostics"].as_array().map(Vec::len), Some(count));
 
-        let lines = written(|out| jsonl::render(&reports, out));
+        let lines = written(|out| jsonl::render(&reports, &[], out));
         prop_assert_eq!(lines.lines().count(), count);
         for line in lines.lines() {
             serde_json::from_str::<Value>(line).expect("JSON");
@@ -73,18 +73,18 @@ proptest! {
         let log: Value = serde_json::from_str(&sarif::rendered(&reports)).expect("JSON");
         prop_assert_eq!(log["runs"][0]["results"].as_array().map(Vec::len), Some(count));
 
-        let issues: Value = serde_json::from_str(&written(|out| gitlab::render(&reports, out))).expect("JSON");
+        let issues: Value = serde_json::from_str(&written(|out| gitlab::render(&reports, &[], out))).expect("JSON");
         let issues = issues.as_array().expect("an array");
         let fingerprints: HashSet<_> = issues.iter().map(|issue| issue["fingerprint"].as_str()).collect();
         prop_assert_eq!((issues.len(), fingerprints.len()), (count, count));
 
-        let commands = written(|out| github::render(&reports, out));
+        let commands = written(|out| github::render(&reports, &[], out));
         prop_assert_eq!(commands.lines().filter(|line| line.starts_with("::")).count(), count);
         prop_assert_eq!(commands.lines().count(), count);
 
         let cases = if count == 0 { 1 } else { 2 * count };
-        prop_assert_eq!(elements(&written(|out| junit::render(&reports, out))), 1 + 2 + 1 + cases);
-        prop_assert_eq!(elements(&written(|out| checkstyle::render(&reports, out))), 1 + 2 + count);
+        prop_assert_eq!(elements(&written(|out| junit::render(&reports, &[], out))), 1 + 2 + 1 + cases);
+        prop_assert_eq!(elements(&written(|out| checkstyle::render(&reports, &[], out))), 1 + 2 + count);
 
         written(|out| concise::render(&reports, out));
     }

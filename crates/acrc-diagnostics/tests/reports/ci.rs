@@ -4,19 +4,21 @@ use std::collections::HashSet;
 use std::io::{self, Write};
 
 use crate::sample::{HOSTILE_MESSAGE, HOSTILE_NAME, LABEL, VALUE, with_sample, written};
-use acrc_diagnostics::{Diagnostic, FileReport, SourceFile, Span, checkstyle, github, gitlab, json, jsonl, junit};
+use acrc_diagnostics::{
+    Diagnostic, FileReport, SourceFile, Span, Unchecked, checkstyle, github, gitlab, json, jsonl, junit,
+};
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use serde_json::Value;
 
-type Render = fn(&[FileReport<'_>], &mut dyn Write) -> io::Result<()>;
+type Render = fn(&[FileReport<'_>], &[Unchecked], &mut dyn Write) -> io::Result<()>;
 
 fn sample_as(render: Render) -> String {
-    with_sample(|reports| written(|out| render(reports, out)))
+    with_sample(|reports| written(|out| render(reports, &[], out)))
 }
 
 fn nothing_as(render: Render) -> String {
-    written(|out| render(&[], out))
+    written(|out| render(&[], &[], out))
 }
 
 #[test]
@@ -115,7 +117,7 @@ fn fingerprints(name: &str, text: &str) -> Vec<String> {
     });
     let findings: Vec<_> = found.collect();
     let reports = [FileReport::new(SourceFile::new(name, text), &findings)];
-    let issues: Value = serde_json::from_str(&written(|out| gitlab::render(&reports, out))).expect("JSON");
+    let issues: Value = serde_json::from_str(&written(|out| gitlab::render(&reports, &[], out))).expect("JSON");
     let issues = issues.as_array().expect("an array");
     issues.iter().map(|issue| issue["fingerprint"].as_str().expect("text").to_owned()).collect()
 }
@@ -143,6 +145,31 @@ fn the_same_name_twice_in_a_report() {
     let findings = [Diagnostic::error(VALUE, Span::default(), "x")];
     let report = || FileReport::new(SourceFile::new("Prog0.8K", "X1"), &findings);
     let issues: Value =
-        serde_json::from_str(&written(|out| gitlab::render(&[report(), report()], out))).expect("JSON reads back");
+        serde_json::from_str(&written(|out| gitlab::render(&[report(), report()], &[], out))).expect("JSON reads back");
     assert_ne!(issues[0]["fingerprint"], issues[1]["fingerprint"]);
+}
+
+#[test]
+fn what_could_not_be_checked_is_in_every_form() {
+    let unchecked = [
+        Unchecked { name: Some(HOSTILE_NAME.to_owned()), reason: HOSTILE_MESSAGE.to_owned() },
+        Unchecked { name: None, reason: "a reason\nof two lines".to_owned() },
+    ];
+    let clean = [FileReport::new(SourceFile::new("Prog0.8K", ""), [])];
+    let form = |render: Render| written(|out| render(&clean, &unchecked, out));
+    let document: Value = serde_json::from_str(&form(json::render)).expect("JSON reads back");
+    let errors = serde_json::json!([
+        { "file": HOSTILE_NAME, "message": HOSTILE_MESSAGE },
+        { "file": null, "message": "a reason\nof two lines" },
+    ]);
+    assert_eq!(document["errors"], errors);
+    assert_eq!(form(jsonl::render).lines().count(), 2);
+    let issues: Value = serde_json::from_str(&form(gitlab::render)).expect("JSON reads back");
+    assert_eq!(issues.as_array().map(Vec::len), Some(2));
+    assert_eq!(form(github::render).lines().count(), 2);
+    assert_eq!(elements(&form(junit::render)), 1 + 3 + 3 + 2);
+    assert_eq!(elements(&form(checkstyle::render)), 1 + 3 + 2);
+    let forms = [jsonl::render, gitlab::render, github::render, junit::render, checkstyle::render]
+        .map(|render: Render| form(render));
+    insta::assert_snapshot!(forms.join("\n"));
 }

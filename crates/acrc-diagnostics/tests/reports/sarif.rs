@@ -4,7 +4,7 @@ use crate::sample::{LABEL, VALUE, with_sample, written};
 use std::sync::LazyLock;
 
 use acrc_diagnostics::sarif::{self, RuleInfo};
-use acrc_diagnostics::{Code, Diagnostic, Edit, FileReport, Fix, Severity, SourceFile, Span};
+use acrc_diagnostics::{Code, Diagnostic, Edit, FileReport, Fix, Severity, SourceFile, Span, Unchecked};
 use jsonschema::Validator;
 use serde_json::Value;
 
@@ -28,7 +28,11 @@ static VALIDATOR: LazyLock<Validator> = LazyLock::new(|| {
 
 /// Renders, and insists on the schema.
 pub(crate) fn rendered(reports: &[FileReport<'_>]) -> String {
-    let text = written(|out| sarif::render(reports, &rule, out));
+    rendered_with(reports, &[])
+}
+
+fn rendered_with(reports: &[FileReport<'_>], unchecked: &[Unchecked]) -> String {
+    let text = written(|out| sarif::render(reports, unchecked, &rule, out));
     assert!(text.ends_with("}\n") && text.matches('\n').count() == 1, "one line");
     let log: Value = serde_json::from_str(&text).expect("JSON reads back");
     let errors: Vec<String> =
@@ -149,4 +153,26 @@ fn fixes_can_be_carried_out() {
     assert_eq!(fixes.as_array().map(Vec::len), Some(1), "one that is given twice is listed once");
     let after = apply_replacements(text, &fixes[0]["artifactChanges"][0]["replacements"]);
     assert_eq!(after, acrc_diagnostics::apply(text, &[&fix]).expect("the edits fit"));
+}
+
+#[test]
+fn what_could_not_be_checked_are_notifications() {
+    let unchecked = [
+        Unchecked { name: Some("a b/acrc.toml".to_owned()), reason: "no {valid} description".to_owned() },
+        Unchecked { name: None, reason: "x".to_owned() },
+    ];
+    let log: Value = serde_json::from_str(&rendered_with(&[], &unchecked)).expect("JSON reads back");
+    let place = serde_json::json!({ "uri": "a%20b/acrc.toml", "uriBaseId": "%SRCROOT%" });
+    let expected = serde_json::json!([{
+        "executionSuccessful": false,
+        "toolExecutionNotifications": [
+            {
+                "level": "error",
+                "message": { "text": "no {{valid}} description" },
+                "locations": [{ "physicalLocation": { "artifactLocation": place } }],
+            },
+            { "level": "error", "message": { "text": "x" } },
+        ],
+    }]);
+    assert_eq!(log["runs"][0]["invocations"], expected);
 }

@@ -170,3 +170,29 @@ fn flags_that_would_be_ignored_are_refused() {
         assert!(run.stderr.contains("cannot be used with"), "{}", run.stderr);
     }
 }
+
+#[test]
+fn a_project_that_cannot_be_loaded_is_in_every_report() {
+    let bench = Bench::new();
+    bench.file("good/Prog0.8K", "PROGRAM\nGOTO Nowhere\nENDP\n");
+    bench.file("bad/acrc.toml", "[project\n");
+    for (format, expected) in [
+        ("json", "\"errors\":[{\"file\":\"bad/acrc.toml\",\"message\":\"`bad/acrc.toml` is not a valid"),
+        ("jsonl", "{\"code\":null,\"name\":\"not-checked\""),
+        ("sarif", "\"executionSuccessful\":false,\"toolExecutionNotifications\":[{\"level\":\"error\""),
+        ("github", "::error title=not-checked,file=bad/acrc.toml::"),
+        ("gitlab", "\"check_name\":\"not-checked\""),
+        ("junit", "<error message=\"`bad/acrc.toml` is not a valid"),
+        ("checkstyle", "<file name=\"bad/acrc.toml\">"),
+    ] {
+        for (paths, found) in [(&["."][..], true), (&["bad"], false)] {
+            let run = bench.acrc(["lint", "--format", format].iter().chain(paths)).expect(2);
+            assert!(run.stdout.contains(expected), "{format}: {}", run.stdout);
+            assert_eq!(run.stdout.contains("ACR101"), found, "{format}: {}", run.stdout);
+            assert!(run.stderr.contains("error: `bad/acrc.toml`"), "{}", run.stderr);
+        }
+    }
+    let output = bench.feed(&["lint", "-", "--stdin-filename", "bad/Prog0.8K", "--format", "sarif"], b"");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("\"executionSuccessful\":false"));
+}

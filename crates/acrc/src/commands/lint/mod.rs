@@ -12,8 +12,8 @@ use std::io::IsTerminal as _;
 use std::mem::ManuallyDrop;
 use std::path::PathBuf;
 
-use acrc_analysis::project::{FailOn as ConfigFailOn, LintConfig, Selection};
-use acrc_diagnostics::{Applicability, FileReport, unified_diff};
+use acrc_analysis::project::{FailOn as ConfigFailOn, LintConfig, LoadError, Selection};
+use acrc_diagnostics::{Applicability, FileReport, Unchecked, unified_diff};
 use anyhow::bail;
 
 use self::baseline::{Baseline, Hidden};
@@ -21,7 +21,8 @@ use self::checked::Checked;
 use self::repair::Change;
 use self::show::{Notes, counted};
 use super::project::{inputs, load};
-use super::{stdin, targets};
+use super::stdin;
+use super::targets::{self, display};
 use crate::cli::{ColorChoice, FailOn, LintArguments};
 use crate::exit::{Exit, say, warn};
 use crate::output::{Terminal, print, refuse_clashes, tell};
@@ -41,7 +42,7 @@ pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Resu
         (_, true, _) => watch::run(arguments, &selection, color),
         (.., from_stdin) => {
             // The process ends behind this: taking the trees of a large project apart first is noticeable.
-            let mut run = ManuallyDrop::new(Run::load(arguments, &selection, from_stdin)?);
+            let mut run = ManuallyDrop::new(Run::load(arguments, &selection, from_stdin));
             run.finish(color)
         }
     }
@@ -59,11 +60,14 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// Loads and checks what the paths stand for.
-    fn load(arguments: &'a LintArguments, selection: &Selection, from_stdin: bool) -> anyhow::Result<Self> {
+    fn load(arguments: &'a LintArguments, selection: &Selection, from_stdin: bool) -> Self {
         if from_stdin {
-            let (target, project) = stdin::load(arguments.stdin_filename.as_deref())?;
-            let projects = vec![Checked::new(&target, project, selection)];
-            return Ok(Self { arguments, from_stdin, projects, errors: Vec::new() });
+            let mut run = Self { arguments, from_stdin, projects: Vec::new(), errors: Vec::new() };
+            match stdin::load(arguments.stdin_filename.as_deref()) {
+                Ok((target, project)) => run.projects.push(Checked::new(&target, project, selection)),
+                Err(error) => run.errors.push(error),
+            }
+            return run;
         }
         let (targets, mut errors) = targets::find(&arguments.paths);
         let mut projects = Vec::with_capacity(targets.len());
@@ -76,7 +80,7 @@ impl<'a> Run<'a> {
             }
         }
         progress.end();
-        Ok(Self { arguments, from_stdin, projects, errors })
+        Self { arguments, from_stdin, projects, errors }
     }
 
     /// Repairs or shows, as it was asked for.
@@ -97,13 +101,14 @@ impl<'a> Run<'a> {
             return Ok(self.exit(false, color));
         }
         notes.hidden = self.hide()?;
-        if !self.projects.is_empty() || self.errors.is_empty() {
+        if self.reports_something() {
+            let unchecked = self.unchecked();
             let reports: Vec<FileReport<'_>> = self.projects.iter().flat_map(Checked::reports).collect();
             if self.from_stdin && repair.fix {
                 // Standard output has the repaired text.
-                show::on_stderr(&reports, notes, options, color);
+                show::on_stderr(&reports, &unchecked, notes, options, color);
             } else {
-                show::show(&reports, notes, options, color, &self.inputs())?;
+                show::show(&reports, &unchecked, notes, options, color, &self.inputs())?;
             }
         }
         let failed = self.failed();
@@ -186,6 +191,19 @@ impl<'a> Run<'a> {
         }
         total.repaired += baseline.gone();
         Ok(Some(total))
+    }
+
+    /// Whether there is a report: not for people when nothing could be checked, who read the errors.
+    fn reports_something(&self) -> bool {
+        let for_programs = self.arguments.output.format.is_for_programs() && !self.arguments.output.statistics;
+        !self.projects.is_empty() || self.errors.is_empty() || for_programs
+    }
+
+    /// What went wrong, for reports.
+    fn unchecked(&self) -> Vec<Unchecked> {
+        let name = |error: &anyhow::Error| error.downcast_ref::<LoadError>().map(|error| display(error.path()));
+        let unchecked = |error| Unchecked { name: name(error), reason: format!("{error:#}") };
+        self.errors.iter().map(unchecked).collect()
     }
 
     /// The files that must not be written over.

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use acrc_diagnostics::sarif::RuleInfo;
 use acrc_diagnostics::{
-    Applicability, Code, FileReport, Severity, Summary, checkstyle, concise, github, gitlab, json, jsonl, junit, sarif,
-    text,
+    Applicability, Code, FileReport, Severity, Summary, Unchecked, checkstyle, concise, github, gitlab, json, jsonl,
+    junit, sarif, text,
 };
 use anyhow::{Context as _, bail};
 
@@ -15,6 +15,13 @@ use super::baseline::Hidden;
 use super::statistics::{self, is_fixable};
 use crate::cli::{ColorChoice, LintFormat, OutputArguments};
 use crate::output::{OutputFile, Terminal, print, refuse_clashes, tell};
+
+impl LintFormat {
+    /// Whether it has a place for what could not be checked, so that a report is due also when nothing was.
+    pub(super) fn is_for_programs(self) -> bool {
+        !matches!(self, Self::Text | Self::Concise)
+    }
+}
 
 /// What a report says besides the findings.
 #[derive(Clone, Copy, Debug, Default)]
@@ -37,6 +44,7 @@ pub(super) fn check(options: &OutputArguments) -> anyhow::Result<()> {
 /// What is said around a format for other programs goes to standard error.
 pub(super) fn show(
     reports: &[FileReport<'_>],
+    unchecked: &[Unchecked],
     notes: Notes,
     options: &OutputArguments,
     color: ColorChoice,
@@ -44,11 +52,11 @@ pub(super) fn show(
 ) -> anyhow::Result<()> {
     let terminal = Terminal::output(color);
     if let Some(path) = &options.output_file {
-        write(reports, options, path, inputs)?;
+        write(reports, unchecked, options, path, inputs)?;
         return print(|out| say(reports, notes, options, terminal, out));
     }
     print(|out| {
-        report(reports, options, terminal, out)?;
+        report(reports, unchecked, options, terminal, out)?;
         if options.format == LintFormat::Text { say(reports, notes, options, terminal, out) } else { Ok(()) }
     })?;
     if options.format != LintFormat::Text {
@@ -58,24 +66,37 @@ pub(super) fn show(
 }
 
 /// Shows findings on standard error, when standard output has something else.
-pub(super) fn on_stderr(reports: &[FileReport<'_>], notes: Notes, options: &OutputArguments, color: ColorChoice) {
+pub(super) fn on_stderr(
+    reports: &[FileReport<'_>],
+    unchecked: &[Unchecked],
+    notes: Notes,
+    options: &OutputArguments,
+    color: ColorChoice,
+) {
     let terminal = Terminal::error(color);
     tell(|err| {
-        report(reports, options, terminal, err)?;
+        report(reports, unchecked, options, terminal, err)?;
         say(reports, notes, options, terminal, err)
     });
 }
 
-fn write(reports: &[FileReport<'_>], options: &OutputArguments, path: &Path, inputs: &[PathBuf]) -> anyhow::Result<()> {
+fn write(
+    reports: &[FileReport<'_>],
+    unchecked: &[Unchecked],
+    options: &OutputArguments,
+    path: &Path,
+    inputs: &[PathBuf],
+) -> anyhow::Result<()> {
     refuse_clashes(&[path], inputs)?;
     let mut file = OutputFile::create(path)?;
-    let written = report(reports, options, Terminal { color: false }, &mut file);
+    let written = report(reports, unchecked, options, Terminal { color: false }, &mut file);
     written.with_context(|| format!("cannot write {}", path.display()))?;
     file.finish()
 }
 
 fn report(
     reports: &[FileReport<'_>],
+    unchecked: &[Unchecked],
     options: &OutputArguments,
     terminal: Terminal,
     out: &mut dyn Write,
@@ -87,13 +108,13 @@ fn report(
             text::render(reports, text::Options { color: terminal.color, ..text::Options::default() }, out)
         }
         (LintFormat::Concise, _) => concise::render(reports, out),
-        (LintFormat::Json, _) => json::render(reports, out),
-        (LintFormat::Jsonl, _) => jsonl::render(reports, out),
-        (LintFormat::Sarif, _) => sarif::render(reports, &rule_info, out),
-        (LintFormat::Github, _) => github::render(reports, out),
-        (LintFormat::Gitlab, _) => gitlab::render(reports, out),
-        (LintFormat::Junit, _) => junit::render(reports, out),
-        (LintFormat::Checkstyle, _) => checkstyle::render(reports, out),
+        (LintFormat::Json, _) => json::render(reports, unchecked, out),
+        (LintFormat::Jsonl, _) => jsonl::render(reports, unchecked, out),
+        (LintFormat::Sarif, _) => sarif::render(reports, unchecked, &rule_info, out),
+        (LintFormat::Github, _) => github::render(reports, unchecked, out),
+        (LintFormat::Gitlab, _) => gitlab::render(reports, unchecked, out),
+        (LintFormat::Junit, _) => junit::render(reports, unchecked, out),
+        (LintFormat::Checkstyle, _) => checkstyle::render(reports, unchecked, out),
     }
 }
 

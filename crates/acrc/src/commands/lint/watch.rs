@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
     let mut watched = Watched { watcher, folders: folders(&arguments.paths) };
     // Watching begins first, so that no change is missed.
     watched.attach()?;
-    let mut session = Session { run: Run::load(arguments, selection, false)?, watched, selection, color };
+    let mut session = Session { run: Run::load(arguments, selection, false), watched, selection, color };
     loop {
         session.show()?;
         if nobody_reads() {
@@ -59,7 +59,7 @@ pub(super) fn run(arguments: &LintArguments, selection: &Selection, color: Color
         loop {
             match next(&messages) {
                 None => return Ok(Exit::Interrupted),
-                Some(changed) if session.update(&changed)? => break,
+                Some(changed) if session.update(&changed) => break,
                 Some(_) => {}
             }
         }
@@ -146,7 +146,7 @@ enum Need {
 
 impl Session<'_> {
     /// Takes over what changed; whether there is something new to show.
-    fn update(&mut self, changed: &BTreeSet<PathBuf>) -> anyhow::Result<bool> {
+    fn update(&mut self, changed: &BTreeSet<PathBuf>) -> bool {
         let mut need = Need::Nothing;
         let known = self.known();
         for path in changed {
@@ -163,15 +163,15 @@ impl Session<'_> {
             };
         }
         match need {
-            Need::Nothing => return Ok(false),
+            Need::Nothing => return false,
             Need::Check => self.run.projects.iter_mut().for_each(Checked::check),
             Need::Load => {
                 let attached = self.watched.attach();
-                self.run = Run::load(self.run.arguments, self.selection, false)?;
+                self.run = Run::load(self.run.arguments, self.selection, false);
                 self.run.errors.extend(attached.err());
             }
         }
-        Ok(true)
+        true
     }
 
     /// The files of all projects by their paths: places of project and file.
@@ -209,8 +209,8 @@ impl Session<'_> {
         let found: Vec<_> = self.run.projects.iter().map(|checked| checked.found.clone()).collect();
         let notes = Notes { fixed: None, hidden: self.run.hide()? };
         let reports: Vec<FileReport<'_>> = self.run.projects.iter().flat_map(Checked::reports).collect();
-        if !self.run.projects.is_empty() || self.run.errors.is_empty() {
-            show(&reports, notes, options, self.color, &[])?;
+        if self.run.reports_something() {
+            show(&reports, &self.run.unchecked(), notes, options, self.color, &[])?;
         }
         drop(reports);
         // What a baseline hides now may be looked for again.
