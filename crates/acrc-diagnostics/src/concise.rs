@@ -9,11 +9,11 @@ use crate::plain::plain_line;
 pub fn render(reports: &[FileReport<'_>], out: &mut dyn Write) -> io::Result<()> {
     for report in reports {
         let file = report.file();
+        let name = plain_line(file.name);
         for diagnostic in report.diagnostics() {
             writeln!(
                 out,
-                "{}:{}: {}[{}] {}",
-                file.name,
+                "{name}:{}: {}[{}] {}",
                 file.position(diagnostic.span.start),
                 diagnostic.severity,
                 diagnostic.code,
