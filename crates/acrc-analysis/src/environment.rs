@@ -27,6 +27,8 @@ pub struct Environment {
     pub fragment: bool,
     /// See [`Symbols::excerpt`].
     pub excerpt: bool,
+    /// Aliases of the project that are words of the language, and are read as such wherever they are used.
+    pub words: Vec<Name>,
     /// No file of the project defines an alias.
     pub nameless: bool,
 }
@@ -109,6 +111,7 @@ impl Environment {
             conflicts: symbols.conflicts.iter().filter(|conflict| conflict.file == file).cloned().collect(),
             fragment: symbols.fragment,
             excerpt: symbols.excerpt,
+            words: symbols.aliases.iter().map(|alias| &alias.name).filter(|name| is_word(name)).cloned().collect(),
             nameless: symbols.aliases.is_empty(),
         }
     }
@@ -145,6 +148,10 @@ impl OwnAlias {
         let synonym = synonym.filter(|other| other.name != symbol.name).map(|other| other.name.clone());
         Self { used_at: symbol.used_at.clone(), axis_of, twin, synonym }
     }
+}
+
+fn is_word(name: &str) -> bool {
+    acrc_catalog::word(name).is_some_and(|word| word.stands_alone())
 }
 
 /// The alias that `name` was probably meant to be.

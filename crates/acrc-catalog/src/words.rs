@@ -35,6 +35,18 @@ impl Word {
         keyword: None,
         daughter: false,
     };
+
+    /// Whether it is read as itself wherever it stands. What is only a daughter, such as HOME, is one behind its parent
+    /// only.
+    pub fn stands_alone(&self) -> bool {
+        self.command.is_some()
+            || self.object.is_some()
+            || self.function.is_some()
+            || self.operator.is_some()
+            || self.unary.is_some()
+            || self.operand.is_some()
+            || self.keyword.is_some()
+    }
 }
 
 /// What a word can be, in any case; `None` for a word that the language does not know.

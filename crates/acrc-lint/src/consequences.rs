@@ -2,7 +2,8 @@
 //!
 //! A statement that could not be read costs one finding, that of the parser: what a rule says about the readable part of
 //! it rests on a guess. What stands behind a forgotten `ENDP` belongs to another program than it seems to. A name that
-//! ATTACH SLAVE gives to an axis although no axis can have it is refused there, and not again at each of its uses.
+//! ATTACH SLAVE gives to an axis although no axis can have it is refused there, and not again at each of its uses; nor is
+//! an alias that is a word of the language.
 
 use acrc_analysis::FileContext;
 use acrc_analysis::index::Name;
@@ -18,6 +19,8 @@ pub(crate) struct Consequences {
     spans: Vec<Span>,
     /// Names of axes that are too long to be read as such.
     long_names: Vec<Name>,
+    /// The statements that use an alias which is a word of the language, in order.
+    misread: Vec<Span>,
 }
 
 impl Consequences {
@@ -38,21 +41,20 @@ impl Consequences {
             }
             joins
         });
-        Self { spans, long_names: long_names(file) }
+        Self { spans, long_names: long_names(file), misread: misread(file) }
     }
 
     /// Whether a finding lies in such a stretch.
     pub(crate) fn hide(&self, finding: &Diagnostic) -> bool {
-        let after = self.spans.partition_point(|span| span.start <= finding.span.start);
-        let before = after.checked_sub(1).and_then(|index| self.spans.get(index));
-        before.is_some_and(|span| finding.span.end <= span.end)
+        holds(&self.spans, finding.span) || holds(&self.misread, finding.span)
     }
 
     /// Whether an error of the parser is only that it does not know a name that an ATTACH SLAVE of the program gives, and
-    /// that is too long for an axis.
+    /// that is too long for an axis; or that it does not know an alias for one.
     pub(crate) fn hide_error(&self, error: &Diagnostic, text: &str) -> bool {
         let written = text.get(error.span.range()).unwrap_or_default();
-        self.long_names.iter().any(|name| name.eq_ignore_ascii_case(written))
+        let is_misread = holds(&self.misread, error.span);
+        is_misread || self.long_names.iter().any(|name| name.eq_ignore_ascii_case(written))
     }
 
     /// Whether rules may have been silenced in a part of the text.
@@ -61,6 +63,35 @@ impl Consequences {
         let before = after.checked_sub(1).and_then(|index| self.spans.get(index));
         before.is_some_and(|span| part.start < span.end)
     }
+}
+
+/// Whether one of `spans`, which are in order and disjoint, holds `inner`.
+fn holds(spans: &[Span], inner: Span) -> bool {
+    let after = spans.partition_point(|span| span.start <= inner.start);
+    let before = after.checked_sub(1).and_then(|index| spans.get(index));
+    before.is_some_and(|span| inner.end <= span.end)
+}
+
+/// The statements that use an alias which is a word of the language.
+fn misread(file: &FileContext<'_>) -> Vec<Span> {
+    let words = &file.environment.words;
+    if words.is_empty() {
+        return Vec::new();
+    }
+    let can_use = |statement: &&Statement| {
+        !matches!(statement.kind, StatementKind::Define(_) | StatementKind::Remark(_) | StatementKind::Label(_))
+    };
+    let is_used = |span: Span| {
+        let text = file.text.get(span.range()).unwrap_or_default();
+        text.split(|c: char| !c.is_ascii_alphanumeric()).any(|written| words.iter().any(|word| **word == *written))
+    };
+    file.tree
+        .statements()
+        .iter()
+        .filter(can_use)
+        .map(|statement| statement.span)
+        .filter(|span| is_used(*span))
+        .collect()
 }
 
 /// The names that are too long, among those that the programs of the file give to their axes.
@@ -130,6 +161,19 @@ mod tests {
         let elsewhere = "PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS2 \"Z\"\nPROGRAM\nBRIDGE4000\nENDP\n";
         let found = lint(&[("Setup.8K", setup), ("Prog1.8K", elsewhere)]);
         assert_eq!(codes_in(elsewhere, &found[1]), [(5, "ACR001")]);
+    }
+
+    #[test]
+    fn an_alias_that_is_a_word_costs_one_finding() {
+        let defines = "#DEFINE Mode P5\n#DEFINE Cnt P6\n";
+        let program = "PROG0\nPROGRAM\nMode = 1\nP6 = Mode + 1\nIF (Mode = 2) THEN Cnt = 1\nWHILE (Cnt < 3)\nCnt = Cnt + \
+                       1\nWEND\nGOTO Nowhere\nENDP\n";
+        let found = lint(&[("Defines.8K", defines), ("Prog0.8K", program)]);
+        assert_eq!(codes_in(defines, &found[0]), [(1, "ACR212"), (2, "ACR212")]);
+        assert_eq!(codes_in(program, &found[1]), [(9, "ACR101")]);
+        let commands = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nMODE = 1\nENDP\n";
+        let found = lint(&[("Defines.8K", defines), ("Prog0.8K", commands)]);
+        assert_eq!(codes_in(commands, &found[1]), [(5, "ACR010")], "an alias is written in one case only");
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! `ACR212`: an alias whose name breaks the rules for names.
 
-use acrc_catalog::Word;
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Statement, StatementKind};
 
@@ -16,7 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         what: "A #DEFINE names an alias with more than 24 letters, with something other than letters, or with a word of \
                the language.",
         why: "The controller refuses the definition, and with it every line that uses the alias. A name that is a \
-              command reads as the command.",
+              command reads as the command. The lines that use such a name are not reported again.",
         bad: "#DEFINE Clamp1 BIT32",
         good: "#DEFINE ClampA BIT32",
         guide: "Programming Basics / Aliases",
@@ -49,22 +48,10 @@ fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
         );
     }
     let word = acrc_catalog::word(name)?;
-    is_taken(&word).then(|| {
+    word.stands_alone().then(|| {
         let message = format!("the alias `{name}` is a word of the language");
         RULE.at(span, message).with_help("it reads as that word: take another name").unconfirmed()
     })
-}
-
-/// Whether a word is read as something else wherever it stands. What is only a daughter, such as HOME, is one behind its
-/// parent only.
-fn is_taken(word: &Word) -> bool {
-    word.command.is_some()
-        || word.object.is_some()
-        || word.function.is_some()
-        || word.operator.is_some()
-        || word.unary.is_some()
-        || word.operand.is_some()
-        || word.keyword.is_some()
 }
 
 fn takes_digits(model: &str) -> bool {
