@@ -133,16 +133,26 @@ impl<'a> Context<'a> {
     }
 
     /// Whether a section is the whole text of a stored program, in the order in which it runs and with balanced blocks.
-    /// What is typed at a prompt, and lines that are stored by their numbers, may go on elsewhere.
+    /// What is typed at a prompt may go on elsewhere, and so may lines that are stored by their numbers, unless they are
+    /// all that a file has of a program, in a project that shows its setup.
     pub(crate) fn is_whole_program(&self, index: &SectionIndex) -> bool {
         let section = &index.section;
-        let is_bounded = section.closer.is_some() || (section.opener.is_none() && self.index().implicit_program);
+        let has_no_marks = section.opener.is_none() && section.closer.is_none();
+        let is_bounded = section.closer.is_some()
+            || (section.opener.is_none() && self.index().implicit_program)
+            || (has_no_marks && self.stores_once(section.level));
         let in_order = |pair: &[acrc_analysis::index::LineSite]| matches!(pair, [a, b] if a.number < b.number && a.statement < b.statement);
         section.kind == SectionKind::Stored
             && is_bounded
             && index.swallowed.is_none()
             && index.blocks.errors().is_empty()
             && index.lines.windows(2).all(in_order)
+    }
+
+    /// Whether the file stores text of a program in one piece only.
+    fn stores_once(&self, level: Level) -> bool {
+        let stores = |index: &&SectionIndex| index.section.kind == SectionKind::Stored && index.section.level == level;
+        self.machine().complete && self.index().sections.iter().filter(stores).count() == 1
     }
 
     /// The ways through the program that a section holds; `None` if that is not a whole program.

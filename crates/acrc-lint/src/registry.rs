@@ -38,6 +38,7 @@ pub(crate) const RULES: &[&Rule] = &[
     &flow::break_outside_loop::RULE,
     &flow::goto_out_of_block::RULE,
     &flow::missing_return::RULE,
+    &flow::end_in_subroutine::RULE,
     &flow::return_without_gosub::RULE,
     &flow::fall_into_subroutine::RULE,
     &flow::subroutine_never_returns::RULE,

@@ -106,6 +106,36 @@ impl Flow {
         !is(&exits.reaches_end, at) && !is(&exits.reaches_stop, at) && !is(self.may_stop(), at)
     }
 
+    /// The END of a subroutine that begins at statement `entry`, when it reaches neither a RETURN nor the end of the text and
+    /// the main code does not come to them.
+    pub(crate) fn only_ends(&self, entry: u32) -> Vec<u32> {
+        let (at, exits) = (self.place(entry), self.exits());
+        if is(&self.comes_back, at) || is(&exits.reaches_end, at) || is(self.may_stop(), at) {
+            return Vec::new();
+        }
+        let reached = self.forward.reach(vec![at], |_, _, via| via != Via::Call);
+        let ends = self.ends.iter().filter(|end| is(&reached, **end)).map(|end| self.start + end);
+        ends.filter(|end| !self.main().reaches(*end)).collect()
+    }
+
+    /// Whether something stands behind the GOSUB at statement `call` that is reached only when the subroutine returns.
+    pub(crate) fn is_lost_behind(&self, tree: &Tree, call: u32) -> bool {
+        let passed =
+            |statement: &Statement| matches!(statement.kind, StatementKind::Label(_) | StatementKind::Remark(_));
+        let statement = |at: u32| tree.statements().get((self.start + at) as usize);
+        let mut at = self.place(call);
+        loop {
+            if at + 1 >= self.count || self.back.at(at + 1).len() != 1 {
+                return false;
+            }
+            at += 1;
+            match statement(at) {
+                Some(next) if passed(next) => {}
+                next => return next.is_some_and(does_something),
+            }
+        }
+    }
+
     /// What the program does outside of its subroutines.
     pub(crate) fn main(&self) -> &Main {
         self.main.get_or_init(|| Main::new(self))

@@ -6,6 +6,7 @@ pub(crate) mod crossed_blocks;
 pub(crate) mod duplicate_label;
 pub(crate) mod duplicate_line_number;
 pub(crate) mod empty_block;
+pub(crate) mod end_in_subroutine;
 pub(crate) mod endless_loop_without_wait;
 pub(crate) mod endp_without_program;
 pub(crate) mod fall_into_subroutine;
