@@ -105,24 +105,35 @@ pub(crate) fn conflicts<'a>(files: impl Iterator<Item = &'a Exports> + Clone) ->
     conflicts
 }
 
-/// Where masters are attached: the level, the file, and whether in stored text.
-struct MasterSites(Vec<(Level, u32, bool)>);
+/// Where masters are attached.
+struct MasterSites {
+    /// The level, the file, and whether in stored text.
+    sites: Vec<(Level, u32, bool)>,
+    /// The project says what its axes are, or frees what is attached: its masters are not those of its controller.
+    is_setup: bool,
+}
 
 impl MasterSites {
-    fn new<'a>(files: impl Iterator<Item = &'a Exports>) -> Self {
+    fn new<'a>(files: impl Iterator<Item = &'a Exports> + Clone) -> Self {
+        let sets_up = |change: &Attachment| match change.kind {
+            AttachmentKind::Axis { .. } => true,
+            AttachmentKind::DetachAll => change.sequence == Sequence::Immediate,
+            _ => false,
+        };
+        let is_setup = files.clone().any(|exports| exports.attachments.iter().any(sets_up));
         let sites = (0..).zip(files).flat_map(|(file, exports)| {
             let masters = exports.attachments.iter().filter(|a| matches!(a.kind, AttachmentKind::Master { .. }));
             masters.map(move |a| (a.level, file, a.sequence != Sequence::Immediate))
         });
-        Self(sites.collect())
+        Self { sites: sites.collect(), is_setup }
     }
 
     /// Whether a master that was not met yet may still be attached before this slave: the order of files, and of stored
-    /// programs, is not certain. A project that attaches no master at all finds them on its controller.
+    /// programs, is not certain. A project that attaches no master at all may find them on its controller.
     fn may_come_first(&self, file: u32, slave: &Attachment) -> bool {
         let typed_here = slave.sequence == Sequence::Immediate;
         let counts = |site: &(Level, u32, bool)| site.0 == slave.level && !(typed_here && site.1 == file && !site.2);
-        self.0.is_empty() || self.0.iter().any(counts)
+        (self.sites.is_empty() && !self.is_setup) || self.sites.iter().any(counts)
     }
 }
 

@@ -29,7 +29,7 @@ pub enum Deed {
     DriveSignals,
     /// Pulses per unit of an axis.
     PulsesPerUnit,
-    /// Velocity of the jog profiler of an axis.
+    /// Velocity of the jog profiler of an axis, other than zero.
     JogVelocity,
     /// Velocity of the last approach of homing.
     HomeVelocity,
@@ -107,7 +107,7 @@ const COMMANDS: &[(CommandId, Deed, Says)] = &[
     (command::CAM_ON, Deed::Cam, Says::Nothing),
     (command::DRIVE_ON, Deed::DriveOn, Says::Nothing),
     (command::PPU, Deed::PulsesPerUnit, Says::Value),
-    (command::JOG_VEL, Deed::JogVelocity, Says::Value),
+    (command::JOG_VEL, Deed::JogVelocity, Says::NonZero),
     (command::JOG_HOMVF, Deed::HomeVelocity, Says::Value),
     (command::GEAR_SRC, Deed::GearSource, Says::Value),
     (command::HLIM, Deed::HardLimitsOn, Says::NonZero),

@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Diagnostic, Severity};
 
-use super::{axis_name, first_motions, verb};
+use super::{axis_name, first_motions_of_attached, verb};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -36,7 +36,7 @@ fn check(context: &mut Context<'_>) {
         check_whole_project(context);
         return;
     }
-    for motion in first_motions(context, &Deed::MOTION) {
+    for motion in first_motions_of_attached(context, &Deed::MOTION) {
         let judged = others || machine.axes_with(Deed::DriveSignals).has(motion.axis);
         if judged && machine.never(Deed::DriveOn, motion.axis) && !machine.steppers.may_have(motion.axis) {
             let (axis, verb) = (axis_name(context, &motion), verb(&motion));

@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Severity};
 
-use super::{axis_name, first_motions};
+use super::{axis_name, first_motions_of_attached};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -27,7 +27,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    for motion in first_motions(context, &[Deed::Gear]) {
+    for motion in first_motions_of_attached(context, &[Deed::Gear]) {
         if context.machine().never(Deed::GearSource, motion.axis) {
             let axis = axis_name(context, &motion);
             let message = format!("{axis} is geared, but nothing in the project sets the source of its gear");

@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Severity};
 
-use super::{axis_name, first_motions};
+use super::{axis_name, first_motions_of_attached};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -27,7 +27,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    for motion in first_motions(context, &[Deed::Home]) {
+    for motion in first_motions_of_attached(context, &[Deed::Home]) {
         if context.machine().never(Deed::HardLimitsOn, motion.axis) {
             let axis = axis_name(context, &motion);
             let message = format!("{axis} is homed, but nothing in the project enables its hardware limits");

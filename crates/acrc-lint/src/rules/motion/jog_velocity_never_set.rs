@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Severity};
 
-use super::{axis_name, first_motions, verb};
+use super::{axis_name, first_motions_of_attached, verb};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -13,8 +13,8 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
-        what: "A program jogs or homes an axis, and nothing in the project sets its jog velocity: neither JOG VEL nor \
-               its parameter (12348 + 256 * axis).",
+        what: "A program jogs or homes an axis, and nothing in the project sets its jog velocity to anything but zero: \
+               neither JOG VEL nor its parameter (12348 + 256 * axis).",
         why: "Jogging and homing do not use VEL. The axis runs at whatever jog velocity the controller holds: with \
               zero it stays where it is, and a program that waits for the end of homing waits for ever.",
         bad: "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nVEL 10\nJOG INC X5\nENDP",
@@ -26,7 +26,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    for motion in first_motions(context, &[Deed::Jog, Deed::Home]) {
+    for motion in first_motions_of_attached(context, &[Deed::Jog, Deed::Home]) {
         if context.machine().never(Deed::JogVelocity, motion.axis) {
             let (axis, verb) = (axis_name(context, &motion), verb(&motion));
             let message = format!("{axis} {verb}, but nothing in the project sets its jog velocity");
@@ -52,6 +52,7 @@ mod tests {
     fn each_axis_by_itself() {
         assert_eq!(found("JOG VEL X5\nJOG HOME X1 Y-1\nJOG FWD Y"), ["Y"]);
         assert_eq!(found("JOG INC AXIS1 5\nJOG VEL Y"), ["AXIS1"]);
+        assert_eq!(found("JOG VEL Y0\nJOG FWD Y"), ["Y"]);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use acrc_catalog::{OperandClass, command};
 use acrc_diagnostics::{Code, Severity, Span};
 use acrc_syntax::ast::{Statement, StatementKind};
 
-use super::{axis_name, first_motions, straight};
+use super::{axis_name, first_motions_of_attached, straight};
 use crate::Context;
 use crate::operands::condition;
 use crate::references::meaning;
@@ -38,7 +38,7 @@ const KILLED: &str = "kill_all_motion_request";
 fn check(context: &mut Context<'_>) {
     let machine = context.machine();
     let [limits, response] = [Deed::HardLimitsOn, Deed::ErrorResponse].map(|deed| machine.axes_with(deed));
-    for motion in first_motions(context, &Deed::MOTION) {
+    for motion in first_motions_of_attached(context, &Deed::MOTION) {
         let by = match (limits.has(motion.axis), response.has(motion.axis)) {
             (true, _) => "a limit switch",
             (false, true) => "an excess of following error",

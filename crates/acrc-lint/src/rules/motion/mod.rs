@@ -59,6 +59,14 @@ fn first_motions(context: &Context<'_>, deeds: &[Deed]) -> Vec<Motion> {
     first
 }
 
+/// The same, but for axes that no program attaches: that is one finding, and what they lack besides is not worth another.
+fn first_motions_of_attached(context: &Context<'_>, deeds: &[Deed]) -> Vec<Motion> {
+    let machine = context.machine();
+    let mut motions = first_motions(context, deeds);
+    motions.retain(|motion| machine.open || machine.has_axis(motion.axis));
+    motions
+}
+
 /// The first coordinated move of each program, where this file is the one to report it.
 fn first_moves(context: &Context<'_>) -> Vec<Motion> {
     let machine = context.machine();

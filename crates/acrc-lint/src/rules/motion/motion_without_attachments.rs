@@ -44,7 +44,7 @@ fn check(context: &mut Context<'_>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::spans_of;
+    use crate::testing::{lint, spans_of};
 
     fn found(program: &str) -> Vec<String> {
         let text =
@@ -55,6 +55,14 @@ mod tests {
     #[test]
     fn axes_by_number() {
         assert_eq!(found("JOG ABS AXIS0 (5) AXIS3 (6)\nAXIS4 JOG HOME -1\nJOG OFF AXIS5"), ["AXIS3", "AXIS4"]);
+    }
+
+    #[test]
+    fn one_finding_is_enough() {
+        let text =
+            "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nAXIS5 JOG HOME 1\nENDP\n";
+        let found: Vec<_> = lint(&[("test.8K", text)]).concat().into_iter().map(|found| found.code.id).collect();
+        assert_eq!(found, ["ACR504"]);
     }
 
     #[test]

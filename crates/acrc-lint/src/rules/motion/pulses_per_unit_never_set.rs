@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Severity};
 
-use super::{axis_name, first_motions, verb};
+use super::{axis_name, first_motions_of_attached, verb};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -27,7 +27,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>) {
-    for motion in first_motions(context, &Deed::MOTION) {
+    for motion in first_motions_of_attached(context, &Deed::MOTION) {
         if context.machine().never(Deed::PulsesPerUnit, motion.axis) {
             let (axis, verb) = (axis_name(context, &motion), verb(&motion));
             let message = format!("{axis} {verb}, but nothing in the project sets its pulses per unit");

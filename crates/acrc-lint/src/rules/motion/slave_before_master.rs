@@ -14,7 +14,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Error,
         enabled: true,
         what: "An ATTACH SLAVE stands where its program has no master yet. A project that attaches no master at all is \
-               not judged: it may find them on its controller.",
+               judged only when it says what its axes are (ATTACH AXIS) or frees all of them (DETACH ALL): another one may \
+               find its masters on its controller.",
         why: "A slave is a place of the program's master. Without the master the controller refuses the attachment, \
               the axis has no name in the program, and all its moves are refused too.",
         bad: "PROG0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH MASTER0",
@@ -67,6 +68,13 @@ mod tests {
         ] {
             assert_eq!(found(&text), [""; 0], "{text}");
         }
+    }
+
+    #[test]
+    fn a_setup_that_forgets_the_master() {
+        assert_eq!(found(&format!("DETACH ALL\nPROG0\n{SLAVE}\nATTACH SLAVE1 AXIS1 \"Y\"\n")), [SLAVE]);
+        assert_eq!(found(&format!("ATTACH AXIS0 ENC0 DAC0 ENC0\nPROG0\n{SLAVE}\n")), [SLAVE]);
+        assert_eq!(found(&format!("PROG0\nPROGRAM\nDETACH ALL\n{SLAVE}\nENDP\n")), [""; 0], "another one attaches it");
     }
 
     #[test]

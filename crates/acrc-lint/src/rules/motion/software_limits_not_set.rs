@@ -3,7 +3,7 @@
 use acrc_analysis::Deed;
 use acrc_diagnostics::{Code, Severity};
 
-use super::{axis_name, first_motions};
+use super::{axis_name, first_motions_of_attached};
 use crate::Context;
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
@@ -27,7 +27,7 @@ pub(crate) static RULE: Rule = Rule {
 
 fn check(context: &mut Context<'_>) {
     let machine = context.machine();
-    for motion in first_motions(context, &Deed::MOTION) {
+    for motion in first_motions_of_attached(context, &Deed::MOTION) {
         let on = machine.axes_with(Deed::SoftLimitsOn).has(motion.axis);
         if on && machine.never(Deed::SoftLimits, motion.axis) {
             let axis = axis_name(context, &motion);

@@ -1,7 +1,7 @@
-//! `ACR309`: INH in a program that moves nothing.
+//! `ACR309`: INH, and DWL, in a program that moves nothing.
 
 use acrc_analysis::SectionIndex;
-use acrc_catalog::command;
+use acrc_catalog::{CommandId, command};
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::StatementKind;
 use acrc_syntax::units::{Level, SectionKind};
@@ -16,15 +16,18 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Warning,
         enabled: true,
         what: "A program that attaches no master waits with INH. In programs 8 to 15, when another one of them has code, \
-               that is a warning, elsewhere it is advice. Projects that attach no master at all are left alone.",
+               each is a warning, and the first DWL is advice; elsewhere the first INH is advice. Projects that attach no \
+               master at all are left alone.",
         why: "Programs 8 to 15 share one slice of time: while one of them waits in INH, the others stand still, also the \
-              one that watches for errors. The guide advises against INH in every program without motion.",
+              one that watches for errors; so they do while one waits in DWL. The guide advises against INH in every program without motion.",
         bad: "PROG0\nATTACH MASTER0\nPROG8\nPROGRAM\nINH 24\nSET 32\nENDP\nPROG9\nPROGRAM\nSET 33\nENDP",
         good: "PROG0\nATTACH MASTER0\nPROG8\nPROGRAM\nWHILE (NOT BIT 24)\nWEND\nSET 32\nENDP\nPROG9\nPROGRAM\nSET 33\nENDP",
         guide: "Programming Basics / INH",
     },
     checks: &[Check::Section(check)],
 };
+
+const HELP: &str = "test the bit in a loop instead: WHILE (..) and WEND let the others run";
 
 /// The programs that share one slice.
 const SHARED: std::ops::RangeInclusive<u8> = 8..=15;
@@ -36,24 +39,36 @@ fn check(context: &mut Context<'_>, section: &SectionIndex) {
     if section.section.kind != SectionKind::Stored || moves || machine.masters.is_empty() || machine.open {
         return;
     }
-    let Some(first) = first_inhibit(context, section) else { return };
     let others = if SHARED.contains(&program) { others(context, program) } else { Vec::new() };
-    let finding = match others.as_slice() {
+    let [inhibits, dwells] = [command::INH, command::DWL].map(|wait| places(context, section, wait));
+    let held = match others.as_slice() {
         [] => {
-            let message = format!("INH in program {program}, which attaches no master");
-            Diagnostic { severity: Severity::Advice, ..RULE.at(first, message) }
+            if let Some(first) = inhibits.first() {
+                let message = format!("INH in program {program}, which attaches no master");
+                let finding = Diagnostic { severity: Severity::Advice, ..RULE.at(*first, message) };
+                context.report(finding.with_help(HELP));
+            }
+            return;
         }
-        [other] => RULE.at(first, format!("this INH holds program {other}, too, while program {program} waits")),
-        _ => RULE.at(first, format!("this INH holds programs {}, too, while program {program} waits", list(&others))),
+        [other] => format!("program {other}, too, while program {program} waits"),
+        _ => format!("programs {}, too, while program {program} waits", list(&others)),
     };
-    context.report(finding.with_help("test the bit in a loop instead: WHILE (..) and WEND let the others run"));
+    for inhibit in inhibits {
+        context.report(RULE.at(inhibit, format!("this INH holds {held}")).with_help(HELP));
+    }
+    if let Some(first) = dwells.first() {
+        let finding = RULE.at(*first, format!("this DWL holds {held}"));
+        let finding = finding.with_help("move the program to one of 0 to 7, which have time of their own");
+        context.report(Diagnostic { severity: Severity::Advice, ..finding });
+    }
 }
 
-fn first_inhibit(context: &Context<'_>, section: &SectionIndex) -> Option<Span> {
+/// Where a section has a command.
+fn places(context: &Context<'_>, section: &SectionIndex, wanted: CommandId) -> Vec<Span> {
     let range = section.section.statements.start as usize..section.section.statements.end as usize;
-    let statements = context.tree().statements().get(range)?;
-    let inhibit = |kind: &StatementKind| matches!(kind, StatementKind::Command(c) if c.id == command::INH);
-    statements.iter().find(|statement| inhibit(&statement.kind)).map(|statement| statement.span)
+    let statements = context.tree().statements().get(range).unwrap_or_default();
+    let is_wanted = |kind: &StatementKind| matches!(kind, StatementKind::Command(c) if c.id == wanted);
+    statements.iter().filter(|statement| is_wanted(&statement.kind)).map(|statement| statement.span).collect()
 }
 
 /// The other programs of the shared slice that have code.
@@ -97,6 +112,10 @@ mod tests {
         assert_eq!(severities(&text), [Severity::Warning]);
         let found = lint(&[("test.8K", &text)]).concat();
         assert_eq!(found[0].message, "this INH holds program 9, too, while program 8 waits");
+        let waits = "PROG8\nPROGRAM\nINH 24\nDWL 1\nINH -24\nDWL 1\nENDP\nPROG9\nPROGRAM\nSET 32\nENDP\n";
+        let text = format!("{MOTION}{waits}");
+        assert_eq!(spans_of("ACR309", &text), ["INH 24", "DWL 1", "INH -24"]);
+        assert_eq!(severities(&text), [Severity::Warning, Severity::Advice, Severity::Warning]);
     }
 
     #[test]

@@ -38,6 +38,7 @@ const INSTANT: [(&str, &str); 4] = [
 
 fn check(context: &mut Context<'_>, statement: &Statement) {
     match &statement.kind {
+        StatementKind::If(branch) if goes_back(context) => awaited(context, &branch.condition),
         StatementKind::If(branch) => tested(context, &branch.condition),
         StatementKind::Command(inhibit) if inhibit.id == command::INH => {
             for bit in walk::bits(statement).filter(|bit| !bit.negative) {
@@ -51,11 +52,8 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
             }
         }
         StatementKind::Command(head) if head.id == command::WHILE => {
-            if let Some(Argument::Value(condition)) = head.arguments.first()
-                && let ExprKind::Unary(UnaryOperator::Not, inner) = &bare(condition).kind
-                && let Some(info) = request_of(context, bare(inner))
-            {
-                context.report(finding(bare(condition).span, &info, "this wait may never end"));
+            if let Some(Argument::Value(condition)) = head.arguments.first() {
+                awaited(context, condition);
             }
         }
         StatementKind::Command(head) if head.id == command::ELSEIF || head.id == command::ELSE_IF => {
@@ -64,6 +62,23 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
             }
         }
         _ => {}
+    }
+}
+
+/// Whether the present statement, an IF, jumps back in the text: a loop that waits, by another name.
+fn goes_back(context: &Context<'_>) -> bool {
+    let at = context.statement();
+    let jumps = context.section().map_or(&[][..], |section| &section.jumps);
+    jumps.iter().any(|jump| !jump.call && jump.statement == at + 1 && jump.to.is_some_and(|to| to < at))
+}
+
+/// The condition under which a loop goes on.
+fn awaited(context: &mut Context<'_>, condition: &Expr) {
+    let condition = bare(condition);
+    if let ExprKind::Unary(UnaryOperator::Not, inner) = &condition.kind
+        && let Some(info) = request_of(context, bare(inner))
+    {
+        context.report(finding(condition.span, &info, "this wait may never end"));
     }
 }
 
@@ -122,6 +137,10 @@ mod tests {
     fn waiting_for_a_request() {
         assert_eq!(spans_of("ACR308", "INH 520\nINH BIT5647\nINH (11265)\n"), ["520", "BIT5647", "(11265)"]);
         assert_eq!(spans_of("ACR308", "WHILE (NOT BIT 1032)\nWEND\n"), ["NOT BIT 1032"]);
+        assert_eq!(
+            spans_of("ACR308", "PROGRAM\n_A\nDWL 1\nIF (NOT BIT 520) THEN GOTO A\nIF (BIT 520) THEN GOTO A\nENDP\n"),
+            ["NOT BIT 520"]
+        );
         assert_eq!(spans_of("ACR308", "#DEFINE Start BIT521\nINH Start\nIF (Start) THEN SET 32\n"), ["Start", "Start"]);
     }
 
