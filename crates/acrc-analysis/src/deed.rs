@@ -37,6 +37,12 @@ pub enum Deed {
     HomeBackup,
     /// Source of electronic gearing.
     GearSource,
+    /// Source of the electronic cam.
+    CamSource,
+    /// A segment of the table of the electronic cam.
+    CamTable,
+    /// Inputs of the limits and of home of an axis.
+    LimitInputs,
     /// Enables hardware limits of an axis.
     HardLimitsOn,
     /// Positions of the software limits of an axis.
@@ -110,6 +116,9 @@ const COMMANDS: &[(CommandId, Deed, Says)] = &[
     (command::JOG_VEL, Deed::JogVelocity, Says::NonZero),
     (command::JOG_HOMVF, Deed::HomeVelocity, Says::Value),
     (command::GEAR_SRC, Deed::GearSource, Says::Value),
+    (command::CAM_SRC, Deed::CamSource, Says::Value),
+    (command::CAM_SEG, Deed::CamTable, Says::Value),
+    (command::HLBIT, Deed::LimitInputs, Says::Value),
     (command::HLIM, Deed::HardLimitsOn, Says::NonZero),
     (command::SLM, Deed::SoftLimits, Says::Value),
     (command::SLIM, Deed::SoftLimitsOn, Says::NonZero),

@@ -89,11 +89,11 @@ fn the_examples_of_all_pages() {
 #[test]
 fn what_is_repaired_is_gone() {
     let text = "PROG0\nPROGRAM\nCLEAR\nDIM LV10\nSET 32 ' open\nPRINT \u{201c}ready\u{201d}\nIF BIT 5 THEN SET 33 REM x\n\
-                ' acrc: allow(ACR103)\nP0 := 5\nENDP\n";
+                ' acrc: allow(ACR103)\nP0 := LV9\nENDP\n";
     let repaired = repair(text, Applicability::Safe);
     assert_eq!(
         repaired.text,
-        "PROG0\nPROGRAM\nCLEAR\nDIM LV(10)\nSET 32 : REM open\nPRINT \"ready\"\nIF (BIT 5) THEN SET 33 : REM x\nP0 = 5\nENDP\n"
+        "PROG0\nPROGRAM\nCLEAR\nDIM LV(10)\nSET 32 : REM open\nPRINT \"ready\"\nIF (BIT 5) THEN SET 33 : REM x\nP0 = LV9\nENDP\n"
     );
     assert_eq!(repaired.outcome.applied, [8]);
     assert_eq!(repaired.outcome.findings.iter().map(|(_, found)| found.len()).sum::<usize>(), 0);

@@ -273,7 +273,7 @@ fn is_text(block: Block) -> bool {
 }
 
 /// The class of local variables that a `DIM` is about.
-fn local_class(id: CommandId) -> Option<OperandClass> {
+pub fn local_class(id: CommandId) -> Option<OperandClass> {
     Some(match id {
         command::DIM_LV => OperandClass::Lv,
         command::DIM_SV => OperandClass::Sv,

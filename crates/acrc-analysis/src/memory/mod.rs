@@ -26,7 +26,7 @@ mod view;
 
 pub use acrc_catalog::memory::LocalBlock;
 pub use calls::Calls;
-pub use events::{Block, Event, EventKind, MemoryEvents, MemorySites, Size, Stream, SystemBlock};
+pub use events::{Block, Event, EventKind, MemoryEvents, MemorySites, Size, Stream, SystemBlock, local_class};
 pub use exact::Exact;
 pub use grouped::grouped;
 pub use issue::{Issue, IssueKind, Site, Space, Spare};

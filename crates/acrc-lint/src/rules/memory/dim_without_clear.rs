@@ -168,18 +168,18 @@ mod tests {
 
     #[test]
     fn the_repair() {
-        let text = "PROG0\nPROGRAM\nDIM LV(2)\nENDP\n";
+        let text = "PROG0\nPROGRAM\nDIM LV(1)\nPRINT LV0\nENDP\n";
         let found = lint(&[("test.8K", text)]).concat();
         let fixed = apply(text, &[&found[0].fixes[0]]).expect("a fix of one edit");
-        assert_eq!(fixed, "PROG0\nPROGRAM\nCLEAR\nDIM LV(2)\nENDP\n");
+        assert_eq!(fixed, "PROG0\nPROGRAM\nCLEAR\nDIM LV(1)\nPRINT LV0\nENDP\n");
         assert_eq!(lint(&[("test.8K", &fixed)]).concat(), []);
     }
 
     #[test]
     fn the_repair_keeps_line_breaks() {
-        let text = "PROG0\r\nPROGRAM\r\nDIM LV(2)\r\nENDP\r\n";
+        let text = "PROG0\r\nPROGRAM\r\nDIM LV(1)\r\nPRINT LV0\r\nENDP\r\n";
         let found = lint(&[("test.8K", text)]).concat();
         let fixed = apply(text, &[&found[0].fixes[0]]).expect("a fix of one edit");
-        assert_eq!(fixed, "PROG0\r\nPROGRAM\r\nCLEAR\r\nDIM LV(2)\r\nENDP\r\n");
+        assert_eq!(fixed, "PROG0\r\nPROGRAM\r\nCLEAR\r\nDIM LV(1)\r\nPRINT LV0\r\nENDP\r\n");
     }
 }

@@ -17,3 +17,4 @@ pub(crate) mod too_many_aliases;
 pub(crate) mod undimensioned_move_buffer;
 pub(crate) mod undimensioned_parameters;
 pub(crate) mod undimensioned_variable;
+pub(crate) mod unused_local_memory;

@@ -6,6 +6,7 @@
 
 pub(crate) mod abrupt_stop;
 pub(crate) mod axis_commanded_by_two_programs;
+pub(crate) mod cam_without_table;
 pub(crate) mod coordinated_wait_for_jog;
 pub(crate) mod drive_never_enabled;
 pub(crate) mod error_without_response;
