@@ -86,6 +86,8 @@ pub(crate) const RULES: &[&Rule] = &[
     &parameters::wizard_number::RULE,
     &parameters::never_set_flag::RULE,
     &parameters::contradictory_bit_test::RULE,
+    &parameters::actual_position_written::RULE,
+    &parameters::duplicate_node::RULE,
     &memory::program_too_large::RULE,
     &memory::redimensioned_block::RULE,
     &memory::index_outside_dim::RULE,

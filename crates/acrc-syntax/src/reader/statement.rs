@@ -138,6 +138,14 @@ impl Reader<'_> {
         let shown = super::failure::shown(word);
         let failure =
             Failure(Box::new(Diagnostic::error(codes::SYNTAX_ERROR, token.span, format!("unknown command `{shown}`"))));
+        let colon = self.peek_at(1);
+        if colon.kind == TokenKind::Colon && colon.span.start == token.span.end && self.peek_at(2).kind.ends_statement()
+        {
+            let edits = vec![Edit::insert(token.span.start, "_"), Edit::delete(colon.span)];
+            return failure
+                .help("a label begins with an underscore, and no colon follows it")
+                .fix(Fix::unsafe_(format!("make it the label `_{shown}`"), edits));
+        }
         let near = if self.may_suggest(word) { acrc_catalog::nearest_command(word) } else { None };
         match near {
             Some(name) => failure.help(format!("did you mean `{name}`?")).fix(Fix::new(

@@ -1,10 +1,10 @@
 //! `ACR129`: code between the programs of a file.
 
 use acrc_analysis::SectionIndex;
-use acrc_catalog::command;
+use acrc_catalog::{CommandId, Shape, command};
 use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::ast::StatementKind;
-use acrc_syntax::units::SectionKind;
+use acrc_syntax::units::{Level, SectionKind};
 
 use crate::rule::{Check, Group, Rule, RuleDoc};
 use crate::{Context, level_name};
@@ -15,8 +15,9 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
-        what: "A file with PROGRAM .. ENDP defines a label outside of them, at a prompt. The first label of such a stretch \
-               stands for it.",
+        what: "A file with PROGRAM .. ENDP defines a label outside of them, at a prompt; the first label of such a stretch \
+               stands for it. Or moves, waits or loops follow directly behind an ENDP, with no change of the prompt \
+               between; the first of them stands for all.",
         why: "Without PROGRAM nothing is stored: each line is carried out once, when it is sent, motion included, and a \
               label means nothing at a prompt.",
         bad: "PROG0\nPROGRAM\nSET 32\nENDP\nPROG1\n_Watch\nINH 24\nCLR 32\nGOTO Watch",
@@ -31,18 +32,57 @@ fn check(context: &mut Context<'_>) {
     if !sections.iter().any(|index| index.section.opener.is_some()) {
         return;
     }
+    let mut before: Option<&SectionIndex> = None;
     for index in sections {
+        let follows = before.is_some_and(|before| goes_on_behind(before, index));
+        before = Some(index);
         if index.section.kind != SectionKind::Immediate || has_endp(context, index) {
             continue;
         }
-        let Some(label) = index.labels.iter().min_by_key(|label| label.statement) else { continue };
-        let name = context.slice(label.name);
+        let label = index.labels.iter().min_by_key(|label| label.statement);
+        let (at, what) = match label {
+            Some(label) => (label.statement, format!("the label `{}`", context.slice(label.name))),
+            None if follows => match first_of_program(context, index) {
+                Some(at) => (at, format!("`{}`", context.slice(context.statement_span(at)))),
+                None => continue,
+            },
+            None => continue,
+        };
         let prompt = level_name(index.section.level);
-        let message = format!("the label `{name}` stands outside of PROGRAM .. ENDP");
-        let diagnostic = RULE.at(context.statement_span(label.statement), message);
+        let message = format!("{what} stands outside of PROGRAM .. ENDP");
+        let diagnostic = RULE.at(context.statement_span(at), message);
         let note = format!("at the prompt of {prompt} each line is carried out as it arrives, and none is stored");
-        context.report(diagnostic.with_note(note).with_help("begin the text of the program with a line PROGRAM"));
+        let help = if label.is_some() {
+            "begin the text of the program with a line PROGRAM"
+        } else {
+            "move ENDP behind it, where it belongs to the program"
+        };
+        context.report(diagnostic.with_note(note).with_help(help));
     }
+}
+
+/// Whether a section stands directly behind the ENDP of a program, at its prompt.
+fn goes_on_behind(before: &SectionIndex, index: &SectionIndex) -> bool {
+    let (before, section) = (&before.section, &index.section);
+    before.opener.is_some()
+        && before.closer.is_some_and(|closer| closer + 1 == section.statements.start)
+        && before.level == section.level
+        && matches!(section.level, Level::Program(_))
+}
+
+/// The first statement that makes sense in a program only: a coordinated move, a wait, a loop. A
+/// GOTO is typed to start a program at a label.
+fn first_of_program(context: &Context<'_>, index: &SectionIndex) -> Option<u32> {
+    const OF_PROGRAMS: [CommandId; 3] = [command::INH, command::RETURN, command::WHILE];
+    let statements = context.tree().statements();
+    let is_of_program = |at: &u32| match statements.get(*at as usize).map(|statement| &statement.kind) {
+        Some(StatementKind::Command(command)) => {
+            OF_PROGRAMS.contains(&command.id) || command.id.info().shape == Shape::Move
+        }
+        Some(StatementKind::For(_)) => true,
+        _ => false,
+    };
+    index.section.statements.clone().find(is_of_program)
 }
 
 /// An ENDP without PROGRAM is reported by itself.
@@ -65,6 +105,18 @@ mod tests {
         assert_eq!(spans_of("ACR129", text), ["_A"]);
         assert_eq!(codes("PROG1\n_A\nSET 32\nGOTO A\n"), [], "the editor adds PROGRAM and ENDP to a file without them");
         assert_eq!(spans_of("ACR129", "PROG0\n10 _A\n20 GOTO A\nPROG1\nPROGRAM\nENDP\n"), [""; 0]);
+    }
+
+    #[test]
+    fn code_behind_the_end_of_a_program() {
+        let found = |behind: &str| {
+            let text = format!("PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nX5\nENDP\n{behind}\n");
+            spans_of("ACR129", &text).into_iter().map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!(found("SET 32\nX10\nINH -516"), ["X10"]);
+        assert_eq!(found("WHILE (BIT 5)\nWEND"), ["WHILE (BIT 5)"]);
+        assert_eq!(found("VEL 20 : SET 32\nRUN PROG0\nGOTO Loop"), [""; 0]);
+        assert_eq!(found("SYS\nPROG0\nX10"), [""; 0], "a new start");
     }
 
     #[test]

@@ -18,8 +18,8 @@ pub(crate) static RULE: Rule = Rule {
         severity: Severity::Advice,
         enabled: true,
         what: "A DIM LV, DV, SV or $V makes room for variables of which the program uses none, or less than half. A round \
-               number (5, 10, 20) of which some are used is room to grow, and left alone. Programs whose whole text stands in the file of the DIM are judged, and classes of which no variable is chosen by a computed \
-               number. Arrays, which other commands fill, are left alone.",
+               number (5, 10, 20) of which some are used is room to grow, and left alone. Programs whose whole text stands \
+               in the file of the DIM are judged, and classes of which no variable is chosen by a computed number. Arrays, which other commands fill, are left alone.",
         why: "The memory is taken from the program, and a variable that nobody uses is often one that was meant somewhere.",
         bad: "PROG0\nPROGRAM\nCLEAR\nDIM LV(3)\nLV0 = P4096\nPRINT LV0\nENDP",
         good: "PROG0\nPROGRAM\nCLEAR\nDIM LV(1)\nLV0 = P4096\nPRINT LV0\nENDP",

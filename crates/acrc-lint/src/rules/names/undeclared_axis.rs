@@ -34,6 +34,14 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
     if report_before_move::follows_report(context, statement) {
         return;
     }
+    if let Some(axis) = walk::axes(statement).next().filter(|axis| is_label(context, axis, statement)) {
+        let name = context.slice(axis.name);
+        let finding = RULE.at(axis.name, format!("`{name}` is no command, and a label begins with an underscore"));
+        let fix =
+            Fix::unsafe_(format!("make it the label _{name}"), vec![Edit::replace(axis.name, format!("_{name}"))]);
+        context.report(finding.with_fix(fix));
+        return;
+    }
     let level = context.level();
     for axis in walk::axes(statement) {
         match context.environment().axes_at(level) {
@@ -47,6 +55,13 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
             None => without_attachments(context, axis, statement),
         }
     }
+}
+
+/// Whether a lone word at the start of a line is what a GOTO or GOSUB of the program looks for in vain.
+fn is_label(context: &Context<'_>, axis: &Axis, statement: &Statement) -> bool {
+    let is_alone = axis.value.is_none() && may_be_command(axis, statement) && statement.span == axis.name;
+    let jumps = context.section().filter(|_| is_alone).map_or(&[][..], |section| &section.jumps);
+    jumps.iter().any(|jump| jump.to.is_none() && context.slice(jump.target.span()) == context.slice(axis.name))
 }
 
 fn not_among(context: &Context<'_>, axis: &Axis, statement: &Statement, table: &AxisTable) -> Diagnostic {
@@ -146,6 +161,15 @@ mod tests {
 
     fn in_program(statement: &str) -> Vec<(u32, &'static str)> {
         codes(&format!("{X}{statement}\n"))
+    }
+
+    #[test]
+    fn a_label_without_its_underscore() {
+        let text = format!("{X}PROGRAM\nLoop:\nDWL 1\nGOTO Loop\nENDP\n");
+        let found = lint(&[("test.8K", &text)]).concat();
+        assert_eq!(found[0].message, "`Loop` is no command, and a label begins with an underscore");
+        let fixed = acrc_diagnostics::apply(&text, &[&found[0].fixes[0]]).expect("a fix of one edit");
+        assert_eq!(codes(&fixed), []);
     }
 
     #[test]
