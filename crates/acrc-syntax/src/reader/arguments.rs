@@ -256,15 +256,15 @@ impl Reader<'_> {
         let is_axis = match rules.names {
             Names::Statement => return Ok(None),
             Names::Alias => false,
-            Names::Axis if !short => return Ok(None),
-            Names::Axis => true,
-            Names::Either => short,
+            Names::Axis if !short && !seen.is_first() => return Ok(None),
+            // Behind an object the value stands alone: `AXIS0 PPU Ratio`.
+            Names::Axis | Names::Either => short,
         };
         if is_axis {
             return self.axis(rules, token, seen.is_first());
         }
         let moves = short && may_start_target(self.peek_at(1).kind);
-        if seen.values >= rules.values || moves || !(seen.is_first() || seen.comma) {
+        if seen.values >= rules.values || moves {
             return Ok(None);
         }
         seen.values += 1;
