@@ -2,6 +2,7 @@
 
 mod common;
 
+use acrc_image::list::{ListOptions, list_annotated};
 use acrc_image::{UnitName, encode};
 use common::{compile_file, listing, program};
 use proptest::prelude::*;
@@ -147,6 +148,9 @@ proptest! {
         let (again, image) = program(&listed);
         prop_assert_eq!((&again.words, &again.strings), (&unit.words, &unit.strings), "{}\n--- listed\n{}", source, listed);
         prop_assert_eq!(listing(&again, &image), listed);
+        let annotated = list_annotated(unit, &image.aliases, &ListOptions::default()).expect("what can be listed");
+        let (annotated_again, _) = program(&annotated);
+        prop_assert_eq!((&annotated_again.words, &annotated_again.strings), (&unit.words, &unit.strings), "{}", annotated);
         let instructions = again.decode().expect("compiled units decode");
         let encoded = encode(UnitName::Program(0), &instructions).expect("decoded statements are valid");
         prop_assert_eq!((encoded.words, encoded.strings), (again.words, again.strings));

@@ -15,6 +15,8 @@ const MAGIC: &[u8; 4] = b"ACRX";
 const CHECKSUM: std::ops::Range<usize> = 12..16;
 /// Length of the header.
 const HEADER: usize = 36;
+/// Bytes before the words of a unit: which unit it is, its number, and the numbers of its words and of its pool bytes.
+const UNIT_HEADER: usize = 10;
 /// The image has a debug section.
 const FLAG_DEBUG: u16 = 1;
 /// Bytes of one entry of a debug map.
@@ -36,6 +38,18 @@ impl Image {
     /// # Errors
     /// [`EncodeError`] when a name, a text or a table is too large for its length field, or the target of an alias cannot be encoded.
     pub fn to_bytes(&self) -> Result<Vec<u8>, EncodeError> {
+        self.write().map(|(bytes, _)| bytes)
+    }
+
+    /// Where the words of each unit begin in [`Image::to_bytes`], in bytes and in the order of [`Image::units`].
+    ///
+    /// # Errors
+    /// As for [`Image::to_bytes`].
+    pub fn offsets(&self) -> Result<Vec<usize>, EncodeError> {
+        self.write().map(|(_, offsets)| offsets)
+    }
+
+    fn write(&self) -> Result<(Vec<u8>, Vec<usize>), EncodeError> {
         let has_debug = self.units().any(|unit| unit.debug.is_some()) || !self.files.is_empty();
         let mut out = Writer::default();
         out.bytes.extend_from_slice(MAGIC);
@@ -50,7 +64,9 @@ impl Image {
         for alias in &self.aliases {
             out.alias(alias)?;
         }
+        let mut offsets = Vec::new();
         for unit in self.units() {
+            offsets.push(out.bytes.len() + UNIT_HEADER);
             out.unit(unit)?;
         }
         if has_debug {
@@ -60,7 +76,7 @@ impl Image {
         out.patch(8..12, length);
         let checksum = checksum(&out.bytes);
         out.patch(CHECKSUM, checksum);
-        Ok(out.bytes)
+        Ok((out.bytes, offsets))
     }
 
     /// Reads an `.acrx` file and verifies it.

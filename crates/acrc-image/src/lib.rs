@@ -27,6 +27,7 @@ pub mod layout;
 pub mod list;
 mod name;
 mod node;
+mod protect;
 pub mod text;
 mod unit;
 mod verify;

@@ -4,7 +4,7 @@ mod common;
 
 use acrc_catalog::{OperandClass, Operator, UnaryOperator, command};
 use acrc_image::dump::dump;
-use acrc_image::list::{ListOptions, hidden_line_number, list};
+use acrc_image::list::{ListOptions, hidden_line_number, list, list_annotated};
 use acrc_image::{
     Alias, Instruction, Item, Mark, Node, Separator, UnitName, encode, format_double, format_single, integer, negate,
     real,
@@ -34,6 +34,8 @@ proptest! {
         let unit = encode(UnitName::Program(0), &instructions).expect("generated statements are valid");
         let listed = list(&unit, &aliases(), &ListOptions { line_numbers });
         prop_assert!(listed.is_ok());
+        let annotated = list_annotated(&unit, &aliases(), &ListOptions { line_numbers });
+        prop_assert!(annotated.is_ok());
         let words = dump(&unit).expect("generated statements are valid");
         prop_assert_eq!(words.lines().filter(|line| !line.starts_with("pool")).count(), unit.words.len());
     }
@@ -132,4 +134,28 @@ fn blocks_are_indented_with_the_line_that_closes_them() {
 fn lines_without_a_number_have_the_next_multiple_of_ten() {
     assert_eq!([0, 5, 10, 19, 20].map(hidden_line_number), [10, 10, 20, 20, 30]);
     assert_eq!(hidden_line_number(u32::MAX), u32::MAX);
+}
+
+#[test]
+fn flags_and_parameters_are_named_above_their_line() {
+    let alias = Node::Alias { index: 0, parens: 0 };
+    let line = |command, items| statement(Separator::Line, command, items);
+    let sum = Node::Binary {
+        op: Operator::Add,
+        left: Box::new(Node::scalar(OperandClass::Parameter, 12_288)),
+        right: Box::new(Node::scalar(OperandClass::Parameter, 5)),
+        parens: 0,
+    };
+    let instructions = [
+        line(command::IF, vec![alias.into()]),
+        line(command::INH, vec![Node::Long(-516).into()]),
+        statement(Separator::Colon, command::CLR, vec![Node::Long(516).into()]),
+        line(command::ENDIF, vec![]),
+        line(command::PRINT, vec![sum.into()]),
+        line(command::SET, vec![Node::Long(i32::MIN).into()]),
+    ];
+    let unit = encode(UnitName::Program(0), &instructions).expect("valid");
+    let aliases = [Alias { name: "Killed".to_owned(), target: Node::scalar(OperandClass::Bit, 8467) }];
+    let listed = list_annotated(&unit, &aliases, &ListOptions { line_numbers: true }).expect("valid");
+    insta::assert_snapshot!(listed);
 }

@@ -1,6 +1,6 @@
 //! Flags: single bits by number. Flag `b` is bit `b mod 32` of parameter `4096 + b div 32`.
 
-use super::{Known, candidates};
+use super::{Known, candidates, owner};
 use crate::generated::{BIT_FIELDS, BITS, BITS_BY_GROUP, FLAG_WORDS};
 use crate::{Access, AddressLaw, BitKind, Confidence, Space};
 
@@ -98,6 +98,13 @@ pub struct BitInfo {
     pub row: Option<&'static BitRow>,
     /// The run of flag words that it lies in.
     pub words: Option<&'static FlagWords>,
+}
+
+impl BitInfo {
+    /// What it belongs to, in words: `axis 0`. Empty when unknown.
+    pub fn owner(&self) -> String {
+        owner(self.object, self.object_index, self.element)
+    }
 }
 
 /// What a flag number stands for. Where two rows hold it, the one with fewer numbers wins.

@@ -1,5 +1,7 @@
 //! What a parameter or flag number stands for (guide, "Parameters and Bits").
 
+use crate::Space;
+
 mod bits;
 mod parameters;
 
@@ -19,6 +21,17 @@ pub enum Known {
     Unknown,
     /// No controller has it.
     OutOfSpace,
+}
+
+/// What a number belongs to, in words: `axis 0`, `input, number 5`. Empty when no source says.
+fn owner(object: Space, index: Option<u32>, element: Option<u32>) -> String {
+    match (object, index, element) {
+        (Space::Unknown, ..) => String::new(),
+        (_, None, None) => object.name().to_owned(),
+        (_, Some(index), None) => format!("{object} {index}"),
+        (_, None, Some(element)) => format!("{object}, number {element}"),
+        (_, Some(index), Some(element)) => format!("{object} {index}, number {element}"),
+    }
 }
 
 /// Numbers that share one entry of the look-up index.

@@ -1,6 +1,6 @@
 //! Parameters: values by number, `P0` and up.
 
-use super::{Known, candidates};
+use super::{Known, candidates, owner};
 use crate::generated::{BLOCKS, PARAMETER_FIELDS, PARAMETERS, PARAMETERS_BY_GROUP};
 use crate::numbers::flag_words;
 use crate::{Access, AddressLaw, Confidence, Space, ValueType};
@@ -93,6 +93,17 @@ pub struct ParameterInfo {
 }
 
 impl ParameterInfo {
+    /// What it belongs to, in words: `axis 0`; for a flag word, what the flags in it belong to. Empty when unknown.
+    pub fn owner(&self) -> String {
+        match flag_words(self.number) {
+            Some(words) if self.object == Space::Flags => {
+                let object = owner(words.object, self.object_index, None);
+                if object.is_empty() { words.group.to_owned() } else { format!("{object}: {}", words.group) }
+            }
+            _ => owner(self.object, self.object_index, self.element),
+        }
+    }
+
     fn unnamed(number: u32, known: Known) -> Self {
         Self {
             number,

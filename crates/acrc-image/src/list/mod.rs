@@ -4,8 +4,12 @@
 //! by side, texts of remarks as they were written. What lies under `IF`, `FOR` or `WHILE` is indented, the closing statement included, so that a
 //! block that does not close is seen at once. Compiling a listing gives the same words.
 
+mod annotate;
 mod expression;
+mod lines;
 mod statement;
+
+pub use lines::{LINE_NUMBER_STEP, Line, hidden_line_number, lines};
 
 use acrc_catalog::command;
 
@@ -19,9 +23,6 @@ use crate::unit::Unit;
 /// Blanks that a block is indented by.
 pub const INDENT: usize = 4;
 
-/// The distance of the numbers that lines without one get: the next multiple of it behind the number before.
-pub const LINE_NUMBER_STEP: u32 = 10;
-
 /// What a listing shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ListOptions {
@@ -29,21 +30,22 @@ pub struct ListOptions {
     pub line_numbers: bool,
 }
 
-/// The number of a line that has none of its own, behind a line with the number `before` (0 at the start).
-pub fn hidden_line_number(before: u32) -> u32 {
-    (before / LINE_NUMBER_STEP).saturating_add(1).saturating_mul(LINE_NUMBER_STEP)
-}
-
 /// Lists a unit.
 ///
 /// # Errors
 /// [`ImageError`] when the unit cannot be decoded or refers to an alias outside the table.
 pub fn list(unit: &Unit, aliases: &[Alias], options: &ListOptions) -> Result<String, ImageError> {
-    let instructions = unit.decode()?;
-    list_instructions(&instructions, aliases, options).map_err(|(address, problem)| ImageError::Word {
-        unit: unit.name,
-        address,
-        problem,
+    of_unit(unit, |instructions| list_instructions(instructions, aliases, options))
+}
+
+/// Lists a unit with the names of its flags and parameters: above a line with some of them stands an apostrophe comment, which vanishes when
+/// the listing is compiled.
+///
+/// # Errors
+/// As for [`list`].
+pub fn list_annotated(unit: &Unit, aliases: &[Alias], options: &ListOptions) -> Result<String, ImageError> {
+    of_unit(unit, |instructions| {
+        write_lines(instructions, aliases, options.line_numbers, |statements| annotate::comment(statements, aliases))
     })
 }
 
@@ -56,33 +58,39 @@ pub fn list_instructions(
     aliases: &[Alias],
     options: &ListOptions,
 ) -> Result<String, (u32, Problem)> {
-    let mut lister = Lister { out: String::new(), aliases, labels: labels(instructions) };
-    let (mut depth, mut number) = (0_usize, 0);
-    let mut rest = instructions;
-    while let Some(first) = rest.first() {
-        let length = rest.iter().skip(1).take_while(|instruction| instruction.separator != Separator::Line).count() + 1;
-        let (line, behind) = rest.split_at(length);
-        rest = behind;
-        let own = line_number(first);
-        number = own.unwrap_or_else(|| hidden_line_number(number));
-        if own.is_some() || options.line_numbers {
-            lister.out.push_str(&number.to_string());
-            lister.out.push(' ');
-        }
-        lister.out.push_str(&" ".repeat(INDENT * depth));
-        lister.line(if own.is_some() { line.get(1..).unwrap_or_default() } else { line })?;
-        lister.end_line();
-        depth = line.iter().fold(depth, block_depth);
-    }
-    Ok(lister.out)
+    write_lines(instructions, aliases, options.line_numbers, |_| None)
 }
 
-/// The number that a line was written with.
-fn line_number(first: &Instruction) -> Option<u32> {
-    match first.items.first().map(|item| &item.node) {
-        Some(&Node::Long(number)) if first.command == command::LINE_NUMBER => u32::try_from(number).ok(),
-        _ => None,
+fn of_unit(
+    unit: &Unit,
+    write: impl FnOnce(&[Instruction]) -> Result<String, (u32, Problem)>,
+) -> Result<String, ImageError> {
+    let instructions = unit.decode()?;
+    write(&instructions).map_err(|(address, problem)| ImageError::Word { unit: unit.name, address, problem })
+}
+
+/// Writes all lines; what `comment` gives stands on a line of its own above.
+fn write_lines(
+    instructions: &[Instruction],
+    aliases: &[Alias],
+    line_numbers: bool,
+    comment: impl Fn(&[Instruction]) -> Option<String>,
+) -> Result<String, (u32, Problem)> {
+    let mut lister = Lister { out: String::new(), aliases, labels: labels(instructions) };
+    let mut depth = 0_usize;
+    for Line { number, numbered, statements, .. } in lines(instructions) {
+        let number = if numbered || line_numbers { format!("{number} ") } else { String::new() };
+        let indent = " ".repeat(INDENT * depth);
+        if let Some(comment) = comment(statements) {
+            let below_number = " ".repeat(number.len());
+            lister.out.extend([&below_number, &indent, "' ", &comment, "\n"]);
+        }
+        lister.out.extend([number, indent]);
+        lister.line(statements)?;
+        lister.end_line();
+        depth = statements.iter().fold(depth, block_depth);
     }
+    Ok(lister.out)
 }
 
 /// How many blocks are open behind a statement, when `depth` were open before it.

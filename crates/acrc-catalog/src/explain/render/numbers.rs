@@ -1,10 +1,7 @@
 //! Pages of parameters and flags.
 
 use super::Sheet;
-use crate::{
-    Access, AddressLaw, BitInfo, BitRow, Known, ParameterInfo, ParameterRow, Space, all_bits, all_parameters,
-    flag_words,
-};
+use crate::{Access, AddressLaw, BitInfo, BitRow, Known, ParameterInfo, ParameterRow, all_bits, all_parameters};
 
 pub(super) fn parameter(info: &ParameterInfo) -> String {
     let name = format!("P{}", info.number);
@@ -16,7 +13,7 @@ pub(super) fn parameter(info: &ParameterInfo) -> String {
     };
     let sheet = Sheet::new(&name, title)
         .fact("field", info.field)
-        .fact("of", holder(info))
+        .fact("of", info.owner())
         .fact("type", info.ty.map_or("", |ty| ty.name()))
         .fact("access", access(info.access))
         .fact("range", range(info.row.and_then(|row| row.range)))
@@ -40,7 +37,7 @@ pub(super) fn bit(info: &BitInfo) -> String {
     let word = info.word.map(|word| format!("P{word}, bit {} (mask {})", info.index, mask(info.index)));
     let sheet = Sheet::new(&name, title)
         .fact("field", info.field)
-        .fact("of", owner(info.object, info.object_index, info.element))
+        .fact("of", info.owner())
         .fact("kind", info.kind.map_or("", |kind| kind.name()))
         .fact("access", access(info.access))
         .fact("flag word", word.unwrap_or_default())
@@ -81,27 +78,6 @@ pub(super) fn bit_field(row: &BitRow) -> String {
 
 fn close(sheet: Sheet, source: &str, confidence: crate::Confidence) -> String {
     if source.is_empty() { sheet.end() } else { sheet.origin(source, confidence) }
-}
-
-fn owner(object: Space, index: Option<u32>, element: Option<u32>) -> String {
-    match (object, index, element) {
-        (Space::Unknown, ..) => String::new(),
-        (_, None, None) => object.name().to_owned(),
-        (_, Some(index), None) => format!("{object} {index}"),
-        (_, None, Some(element)) => format!("{object}, number {element}"),
-        (_, Some(index), Some(element)) => format!("{object} {index}, number {element}"),
-    }
-}
-
-/// The owner of a parameter; for a flag word, that of the flags in it.
-fn holder(info: &ParameterInfo) -> String {
-    match flag_words(info.number) {
-        Some(words) if info.object == Space::Flags => {
-            let object = owner(words.object, info.object_index, None);
-            if object.is_empty() { words.group.to_owned() } else { format!("{object}: {}", words.group) }
-        }
-        _ => owner(info.object, info.object_index, info.element),
-    }
 }
 
 fn access(access: Access) -> &'static str {
