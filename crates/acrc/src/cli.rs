@@ -5,6 +5,7 @@ mod lint;
 
 use std::path::PathBuf;
 
+use acrc_image::UnitName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use fmt::{FmtArguments, Numbering};
@@ -60,15 +61,23 @@ pub(crate) enum Command {
 /// `acrc build`
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Nothing is written unless the whole project compiles.\nExit status: 0 written, 1 the project has errors, 2 could not run."
+    after_help = "Nothing is written unless the whole project compiles, and no file appears before all are complete.\n\
+                        A `-` for a file is standard output.\n\
+                        Exit status: 0 written, 1 the project has errors, 2 could not run."
 )]
 pub(crate) struct BuildArguments {
     /// The project
     #[arg(default_value = ".")]
     pub(crate) project: PathBuf,
     /// The image to write
-    #[arg(short, long, value_name = "FILE.acrx")]
-    pub(crate) output: PathBuf,
+    #[arg(short, long, value_name = "FILE.acrx", required_unless_present_any = ["listing", "map"])]
+    pub(crate) output: Option<PathBuf>,
+    /// Write the words of each statement beside its source
+    #[arg(long, value_name = "FILE")]
+    pub(crate) listing: Option<PathBuf>,
+    /// Write where units, lines, labels and aliases are and what the bytes go to; JSON when the name ends in .json
+    #[arg(long, value_name = "FILE")]
+    pub(crate) map: Option<PathBuf>,
     /// Leave out the places in the source, which run-time errors are reported with
     #[arg(long)]
     pub(crate) strip: bool,
@@ -76,16 +85,26 @@ pub(crate) struct BuildArguments {
 
 /// `acrc list`
 #[derive(Args, Debug)]
+#[command(
+    after_help = "An image whose setup code protects it with PASSWORD lists its programs with --password only.\n\
+                        Exit status: 0 listed, 2 could not run."
+)]
 pub(crate) struct ListArguments {
     /// The image
     #[arg(value_name = "FILE.acrx")]
     pub(crate) image: PathBuf,
     /// List only these programs
-    #[arg(long = "program", value_name = "PROGn,...", value_delimiter = ',', value_parser = parse_program)]
-    pub(crate) programs: Vec<u8>,
-    /// Show line numbers
+    #[arg(long = "program", value_name = "PROGn,PLCn,...", value_delimiter = ',', value_parser = parse_text)]
+    pub(crate) programs: Vec<UnitName>,
+    /// Number all lines, as the controller does while flag 5651 is set; without it, lines written with a number show it
     #[arg(short = 'n', long)]
     pub(crate) line_numbers: bool,
+    /// Name flags and parameters in apostrophe comments above their lines; such a listing still compiles to the same program
+    #[arg(long)]
+    pub(crate) annotate: bool,
+    /// The password of a protected image
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) password: Option<String>,
 }
 
 /// `acrc mem`
@@ -188,6 +207,17 @@ fn parse_program(text: &str) -> Result<u8, String> {
     let digits = text.get(..4).filter(|word| word.eq_ignore_ascii_case("PROG")).map_or(text, |_| &text[4..]);
     let number = digits.trim().parse::<u8>().ok().filter(|number| *number < 16);
     number.ok_or_else(|| "programs are PROG0 to PROG15".to_owned())
+}
+
+/// A stored text: a program, or a PLC program.
+fn parse_text(text: &str) -> Result<UnitName, String> {
+    let plc = text.get(..3).filter(|word| word.eq_ignore_ascii_case("PLC"));
+    let number = plc.and_then(|_| text[3..].trim().parse::<u8>().ok()).filter(|number| *number < 8);
+    match (plc, number) {
+        (Some(_), Some(number)) => Ok(UnitName::Plc(number)),
+        (Some(_), None) => Err("PLC programs are PLC0 to PLC7".to_owned()),
+        (None, _) => parse_program(text).map(UnitName::Program),
+    }
 }
 
 fn parse_time(text: &str) -> Result<f64, String> {

@@ -150,14 +150,26 @@ pub(crate) struct OutputFile {
 enum Place {
     Beside(NamedTempFile),
     Direct(Patient<File>),
+    /// `-`
+    Standard(Patient<io::Stdout>),
+}
+
+/// Does a path stand for standard output?
+pub(crate) fn is_standard_output(path: &Path) -> bool {
+    path == Path::new("-") || path == Path::new("/dev/stdout")
 }
 
 impl OutputFile {
     /// Begins a file. Fails at once when its folder does not exist or cannot be written.
     pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
         let refuse = || format!("cannot write {}", path.display());
-        if let Some(stream) = standard_stream(path) {
-            let place = Place::Direct(Patient::new(stream.with_context(refuse)?));
+        let stream = if path == Path::new("-") {
+            Some(Place::Standard(Patient::new(io::stdout())))
+        } else {
+            let stream = standard_stream(path).transpose().with_context(refuse)?;
+            stream.map(|stream| Place::Direct(Patient::new(stream)))
+        };
+        if let Some(place) = stream {
             return Ok(Self {
                 path: path.to_owned(),
                 permissions: None,
@@ -187,7 +199,7 @@ impl OutputFile {
     pub(crate) fn finish(self) -> anyhow::Result<()> {
         let refuse = || format!("cannot write {}", self.path.display());
         match self.file.into_inner().map_err(|error| without_path(&error.into_error())).with_context(refuse)? {
-            Place::Direct(mut file) => file.flush().with_context(refuse),
+            mut place @ (Place::Direct(_) | Place::Standard(_)) => place.flush().with_context(refuse),
             Place::Beside(file) => {
                 match self.permissions {
                     Some(permissions) => file.as_file().set_permissions(permissions),
@@ -232,6 +244,7 @@ impl Write for Place {
         match self {
             Self::Beside(file) => file.write(bytes).map_err(|error| without_path(&error)),
             Self::Direct(file) => file.write(bytes),
+            Self::Standard(stdout) => stdout.write(bytes),
         }
     }
 
@@ -239,6 +252,7 @@ impl Write for Place {
         match self {
             Self::Beside(file) => file.flush().map_err(|error| without_path(&error)),
             Self::Direct(file) => file.flush(),
+            Self::Standard(stdout) => stdout.flush(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the flags and parameters of a line are called.
 
-use acrc_catalog::{Known, OperandClass, Shape, bit, parameter};
+use acrc_catalog::{Known, OperandClass, Shape, Space, bit, parameter};
 
 use crate::image::Alias;
 use crate::instruction::Instruction;
@@ -49,7 +49,8 @@ impl Names<'_> {
             (OperandClass::Bit, Ok(number)) => self.flag(before, number),
             (OperandClass::Parameter, Ok(number)) => {
                 let info = parameter(number);
-                self.add(info.known, &format!("{before}P{number}"), info.title, &info.owner());
+                let name = Name { title: info.title, owner: info.owner(), object: info.object, element: info.element };
+                self.add(info.known, &format!("{before}P{number}"), &name);
             }
             _ => {}
         }
@@ -57,17 +58,32 @@ impl Names<'_> {
 
     fn flag(&mut self, before: &str, number: u32) {
         let info = bit(number);
-        self.add(info.known, &format!("{before}BIT{number}"), info.title, &info.owner());
+        let name = Name { title: info.title, owner: info.owner(), object: info.object, element: info.element };
+        self.add(info.known, &format!("{before}BIT{number}"), &name);
     }
 
     /// Notes what a row of the catalogue names. The user's own parameters and flags have no name there.
-    fn add(&mut self, known: Known, number: &str, title: &str, owner: &str) {
-        if known != Known::Row || owner.starts_with(acrc_catalog::Space::User.name()) {
+    fn add(&mut self, known: Known, number: &str, name: &Name) {
+        if known != Known::Row || name.object == Space::User {
             return;
         }
-        let name = if owner.is_empty() { format!("{number}: {title}") } else { format!("{number}: {title}, {owner}") };
+        let Name { title, owner, object, element } = name;
+        let name = match element {
+            Some(element) if !object.is_numbered() => format!("{number}: {title} {element}"),
+            _ if owner.is_empty() => format!("{number}: {title}"),
+            _ => format!("{number}: {title}, {owner}"),
+        };
         if !self.found.contains(&name) {
             self.found.push(name);
         }
     }
+}
+
+/// What the catalogue says of a number.
+struct Name {
+    title: &'static str,
+    owner: String,
+    object: Space,
+    /// Which of several things of one title.
+    element: Option<u32>,
 }

@@ -1,6 +1,6 @@
 //! `acrc list`: prints the programs of an image as the controller lists them.
 
-use acrc_image::list::{ListOptions, list};
+use acrc_image::list::{ListOptions, list, list_annotated};
 use acrc_image::{Image, UnitName};
 use anyhow::{Context as _, bail};
 
@@ -12,19 +12,24 @@ pub(super) fn run(arguments: &ListArguments) -> anyhow::Result<Exit> {
     let path = arguments.image.display();
     let bytes = std::fs::read(&arguments.image).with_context(|| format!("cannot read {path}"))?;
     let image = Image::from_bytes(&bytes).with_context(|| format!("{path} is no image that can be listed"))?;
-    let wanted = |name: UnitName| match name {
-        UnitName::Program(number) => arguments.programs.is_empty() || arguments.programs.contains(&number),
-        UnitName::Boot | UnitName::Plc(_) => arguments.programs.is_empty(),
-    };
-    let units: Vec<_> = image.programs.iter().filter(|unit| wanted(unit.name)).collect();
-    if let Some(missing) =
-        arguments.programs.iter().find(|number| !units.iter().any(|unit| unit.name == UnitName::Program(**number)))
+    let damaged = || format!("{path} is damaged");
+    if let Some(password) = image.password().with_context(damaged)?
+        && arguments.password.as_ref() != Some(&password)
     {
-        bail!("{path} holds no program {missing}");
+        match arguments.password {
+            None => bail!("{path} is protected by PASSWORD: its programs are listed with --password only"),
+            Some(_) => bail!("{path} is protected by another password"),
+        }
+    }
+    let wanted = |name: &UnitName| arguments.programs.is_empty() || arguments.programs.contains(name);
+    let units: Vec<_> = image.programs.iter().filter(|unit| wanted(&unit.name)).collect();
+    if let Some(missing) = arguments.programs.iter().find(|name| !units.iter().any(|unit| unit.name == **name)) {
+        bail!("{path} holds no {missing}");
     }
     let options = ListOptions { line_numbers: arguments.line_numbers };
-    let listings = units.iter().map(|unit| Ok((unit, list(unit, &image.aliases, &options)?)));
-    let listings = listings.collect::<anyhow::Result<Vec<_>>>().with_context(|| format!("{path} is damaged"))?;
+    let write = if arguments.annotate { list_annotated } else { list };
+    let listings = units.iter().map(|unit| Ok((unit, write(unit, &image.aliases, &options)?)));
+    let listings = listings.collect::<anyhow::Result<Vec<_>>>().with_context(damaged)?;
     print(|out| {
         for (index, (unit, text)) in listings.iter().enumerate() {
             let gap = if index == 0 { "" } else { "\n" };
