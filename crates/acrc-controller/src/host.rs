@@ -3,14 +3,24 @@
 use acrc_vm::{Call, FaultKind, Host, Outcome, Value};
 
 use crate::command::Context;
+use crate::flags::FIRST_WORD;
 
 impl Host for Context<'_> {
     fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> {
+        if !is_user(number) {
+            self.catch_up();
+        }
         self.machine.read_parameter(number).map_err(FaultKind::from)
     }
 
     fn set_parameter(&mut self, number: i64, value: &Value) -> Result<(), FaultKind> {
-        self.machine.write_parameter(number, value).map_err(FaultKind::from)
+        if is_user(number) {
+            return self.machine.write_parameter(number, value).map_err(FaultKind::from);
+        }
+        self.catch_up();
+        let written = self.machine.write_parameter(number, value).map_err(FaultKind::from);
+        self.look(false);
+        written
     }
 
     fn bit(&mut self, number: i64) -> Result<bool, FaultKind> {
@@ -18,11 +28,17 @@ impl Host for Context<'_> {
     }
 
     fn set_bit(&mut self, number: i64, state: bool) -> Result<(), FaultKind> {
-        self.machine.write_bit(number, state).map_err(FaultKind::from)
+        self.catch_up();
+        let written = self.machine.write_bit(number, state).map_err(FaultKind::from);
+        self.look(false);
+        written
     }
 
     fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind> {
-        self.execute(call).map_err(FaultKind::from)
+        self.catch_up();
+        let outcome = self.execute(call).map_err(FaultKind::from);
+        self.look(true);
+        outcome
     }
 
     /// A generator of its own for each run, so that a run can be repeated: splitmix64.
@@ -42,5 +58,31 @@ impl Host for Context<'_> {
 
     fn character_waits(&mut self, _: i32) -> Result<bool, FaultKind> {
         Ok(false)
+    }
+
+    #[inline]
+    fn line(&mut self) -> bool {
+        self.pace.begin_line()
+    }
+}
+
+/// Whether a parameter is a variable of the programs, which no time changes.
+fn is_user(number: i64) -> bool {
+    (0..i64::from(FIRST_WORD)).contains(&number)
+}
+
+impl Context<'_> {
+    /// Moves time on to the slice of the present line.
+    fn catch_up(&mut self) {
+        self.machine.skip_to(self.pace.tick());
+    }
+
+    /// Decides whether somebody has to look at what the program has just done before its next line.
+    fn look(&mut self, command: bool) {
+        let ahead = self.pace.is_ahead();
+        let changed = self.pace.is_awaited() || ahead && (command || self.machine.in_motion());
+        if changed || !self.machine.requests.is_empty() {
+            self.pace.leave();
+        }
     }
 }

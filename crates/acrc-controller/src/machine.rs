@@ -183,6 +183,13 @@ impl Machine {
         self.apply_events();
     }
 
+    /// Moves time on to a tick up to which nothing happens; not back.
+    pub(crate) fn skip_to(&mut self, tick: u64) {
+        if let Some(ticks) = tick.checked_sub(self.clock.ticks()).filter(|ticks| *ticks > 0) {
+            self.skip(ticks);
+        }
+    }
+
     fn advance_master(&mut self, index: usize) {
         let period = self.clock.period();
         let master = &mut self.masters[index];

@@ -4,7 +4,7 @@ use acrc_image::UnitName;
 
 use crate::fault::FaultKind;
 use crate::functions::AngleUnit;
-use crate::op::Op;
+use crate::op::Step;
 use crate::plan::Plan;
 use crate::value::Value;
 
@@ -12,7 +12,7 @@ use crate::value::Value;
 #[derive(Clone, Debug)]
 pub struct Code {
     pub(crate) name: UnitName,
-    pub(crate) ops: Box<[Op]>,
+    pub(crate) steps: Box<[Step]>,
     /// Strings and other constants of the value file.
     pub(crate) constants: Box<[Value]>,
     /// Real constants, with 32 bits and as the decimal that was written.
@@ -124,7 +124,7 @@ impl Code {
     /// Where the statement behind that of an instruction begins; the end of the program behind the last one.
     pub(crate) fn next_statement(&self, pc: u32) -> u32 {
         let next = self.statements.partition_point(|mark| mark.pc <= pc);
-        self.statements.get(next).map_or(self.ops.len().saturating_sub(1) as u32, |mark| mark.pc)
+        self.statements.get(next).map_or(self.steps.len().saturating_sub(1) as u32, |mark| mark.pc)
     }
 
     fn statement(&self, pc: u32) -> Option<&StatementMark> {

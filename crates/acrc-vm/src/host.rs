@@ -37,6 +37,13 @@ pub trait Host {
     /// True when a character waits at a device (`KBHIT`).
     fn character_waits(&mut self, device: i32) -> Result<bool, FaultKind>;
 
+    /// Called before every line that a budget of lines pays for, and before every statement of a budget of statements.
+    /// False stops the run in front of it, as if the budget were used up: for a host that has to see to something first.
+    #[inline]
+    fn line(&mut self) -> bool {
+        true
+    }
+
     /// Called before every statement with its place ([`crate::Code::location`]): for tracing and coverage. Costs
     /// nothing when it is not written.
     #[inline]

@@ -78,17 +78,36 @@ pub(crate) enum DeviceQuery {
     Waits,
 }
 
+/// What begins with an instruction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Begins {
+    /// Nothing: it continues a statement.
+    #[default]
+    Nothing,
+    /// The first statement of a line.
+    Line,
+    /// Any other statement.
+    Statement,
+}
+
+/// An instruction in its place.
+///
+/// That a statement begins is a mark of its first instruction instead of an instruction of its own, because every
+/// instruction costs a dispatch and most statements have only one or two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    pub(crate) op: Op,
+    pub(crate) begins: Begins,
+}
+
 /// One instruction. `to` is written, everything else is read.
 ///
 /// The first word of a name is the file that the operands are in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[rustfmt::skip] // One instruction a line.
 pub(crate) enum Op {
-    // Accounting.
-    /// A statement that begins a line.
-    Line,
-    /// Any other statement.
-    Statement,
+    /// A statement that does nothing.
+    Nothing,
 
     // Longs.
     LongConst { to: Slot, value: i32 },

@@ -59,12 +59,12 @@ fn a_waiting_command_is_offered_again_with_the_same_arguments() {
     let mut machine = Machine::new("P0 = 1\nDWL (P0) : PRINT \"go\"");
     machine.bench.patience = 2;
     let run = machine.run(Budget::lines(4));
-    assert_eq!((run.stop, run.lines, run.statements), (Stop::Blocked, 2, 2));
+    assert_eq!((run.stop, run.used, run.statements), (Stop::Blocked, 2, 2));
     assert!(machine.frame.is_blocked());
     assert_eq!(machine.code.location(machine.frame.pc()).line, 2);
     machine.bench.parameters.insert(0, acrc_vm::Value::Double(9.0));
     let run = machine.run(Budget::lines(4));
-    assert_eq!((run.stop, run.lines, run.statements), (Stop::Blocked, 0, 0));
+    assert_eq!((run.stop, run.used, run.statements), (Stop::Blocked, 0, 0));
     assert_eq!(machine.finish(), Stop::Ended);
     assert_eq!(machine.bench.output, "go\r\n");
     assert_eq!(machine.bench.log, "DWL: Value(Double(1.0), None)\n");

@@ -220,9 +220,9 @@ fn words_that_are_no_program_are_refused() {
 fn a_budget_of_lines_counts_lines() {
     let mut machine = Machine::new("P0 = 1 : P1 = 1\nREM a line as well\nP0 = 2\nP0 = 3");
     let run = machine.run(Budget::lines(2));
-    assert_eq!((run.stop, run.lines, run.statements), (Stop::Budget, 2, 3));
+    assert_eq!((run.stop, run.used, run.statements), (Stop::Budget, 2, 3));
     let run = machine.run(Budget::lines(9));
-    assert_eq!((run.stop, run.lines, run.statements), (Stop::Ended, 2, 2));
+    assert_eq!((run.stop, run.used, run.statements), (Stop::Ended, 2, 2));
 }
 
 #[test]
@@ -239,7 +239,7 @@ fn a_loop_within_one_line_uses_its_slice_up() {
     let mut machine = Machine::new("WHILE (1) : WEND");
     let run = machine.run(Budget::lines(4));
     assert_eq!(run.stop, Stop::Budget);
-    assert_eq!(run.lines, 4);
+    assert_eq!(run.used, 4);
 }
 
 #[test]

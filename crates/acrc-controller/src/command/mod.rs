@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 use acrc_catalog::CommandId;
 use acrc_vm::{Call, Outcome};
 
-use crate::controller::Observer;
+use crate::controller::{Observer, Pace};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 
@@ -29,6 +29,8 @@ pub(crate) struct Context<'a> {
     /// Tick at which the held command of this program goes on (`DWL`).
     pub(crate) release: &'a mut Option<u64>,
     pub(crate) observer: &'a mut dyn Observer,
+    /// When the lines of the program are executed.
+    pub(crate) pace: Pace,
     /// The command is setup code, not part of a running program.
     pub(crate) immediate: bool,
 }

@@ -1,5 +1,6 @@
 //! The controller: boots an image and runs its programs in virtual time.
 
+mod ahead;
 mod check;
 mod observer;
 mod reports;
@@ -14,6 +15,7 @@ use acrc_catalog::Model;
 use acrc_image::Image;
 use acrc_vm::{Code, Frame, Locals};
 
+pub(crate) use ahead::Pace;
 pub use check::Unsupported;
 pub use observer::Observer;
 pub use run::Stopped;

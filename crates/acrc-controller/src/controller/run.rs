@@ -2,13 +2,12 @@
 
 use acrc_vm::{Budget, Stop};
 
+use super::ahead::{LINES_PER_SLICE, Pace};
 use super::{Controller, Observer, View};
 use crate::command::Context;
 use crate::machine::Request;
 use crate::program::{Program, State};
 
-/// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
-const LINES_PER_SLICE: u32 = 4;
 /// Quiet ticks that are shown to an observer before the run looks whether it is to end.
 const WATCHED_TICKS: u64 = 10_000;
 
@@ -39,7 +38,7 @@ impl Controller {
                 }
             }
             if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
-                self.slice(observer);
+                self.slice(end, observer);
             }
             observer.tick(&self.view());
             if self.is_over() {
@@ -125,34 +124,42 @@ impl Controller {
         self.programs.iter().map(|program| program.state.is_active()).collect()
     }
 
-    /// Gives the next program its slice.
-    fn slice(&mut self, observer: &mut dyn Observer) {
+    /// Gives the next program its slice, and as many of those to come as nobody would notice. `end` is the last tick of the run.
+    fn slice(&mut self, end: u64, observer: &mut dyn Observer) {
         let running = self.running();
         let Some(number) = self.scheduler.next(&running) else { return };
-        for _ in 0..LINES_PER_SLICE {
-            self.execute_line(number, observer);
+        let mut pace = self.pace(number, end, observer);
+        let mut lines = pace.budget();
+        while lines > 0 {
+            let used = self.execute_lines(number, lines, pace, observer);
             if self.programs[number].state != State::Running {
                 break;
             }
+            // A run that ends early leaves the rest of the slice that it has reached. A statement that had to wait was begun in an earlier slice.
+            lines = if used == 0 { LINES_PER_SLICE } else { (lines - used) % LINES_PER_SLICE };
+            pace = Pace::slice(self.machine.clock.ticks());
         }
         if self.programs[number].state != State::Waiting {
             self.scheduler.pass_on(number, running.len());
         }
     }
 
-    /// Executes the next line of a program, and then what it asked of the scheduler.
-    fn execute_line(&mut self, number: usize, observer: &mut dyn Observer) {
+    /// Executes up to so many lines of a program, and then what it asked of the scheduler. Gives the number of lines that were begun.
+    fn execute_lines(&mut self, number: usize, lines: u32, pace: Pace, observer: &mut dyn Observer) -> u32 {
         let program = &mut self.programs[number];
-        let Some(code) = &program.code else { return };
+        let Some(code) = &program.code else { return lines };
         let mut context = Context {
             machine: &mut self.machine,
             program: Some(number as u8),
             release: &mut program.release,
             observer,
+            pace,
             immediate: false,
         };
-        let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(1));
-        program.statements += u64::from(run.statements);
+        let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(lines));
+        let reached = context.pace.tick();
+        self.machine.skip_to(reached);
+        program.statements += run.statements;
         // A program that only finds again that it has to wait has changed nothing.
         if run.statements > 0 || run.stop != Stop::Blocked {
             self.changes += 1;
@@ -174,5 +181,6 @@ impl Controller {
             self.update_program_flags();
         }
         self.apply_requests(observer);
+        run.used
     }
 }

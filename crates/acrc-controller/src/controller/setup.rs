@@ -3,7 +3,7 @@
 use acrc_syntax::units::Level;
 use acrc_vm::{Budget, Stop};
 
-use super::{Controller, Observer};
+use super::{Controller, Observer, Pace};
 use crate::command::Context;
 
 /// Statements of setup code that may be executed in one tick before the run looks at time again.
@@ -37,11 +37,13 @@ impl Controller {
             }
             None => &mut boot.locals,
         };
+        let pace = Pace::slice(self.machine.clock.ticks());
         let mut context = Context {
             machine: &mut self.machine,
             program: level,
             release: &mut boot.release,
             observer,
+            pace,
             immediate: true,
         };
         boot.statement = boot.frame.pc();

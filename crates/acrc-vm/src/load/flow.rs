@@ -90,7 +90,7 @@ impl Loader<'_> {
                 self.emit(Op::LoopStep { index, to, from });
                 self.store(target, &Place::Double(to))?;
                 // The test ends behind this statement either way: out of the loop, or to the jump back.
-                let here = self.ops.len() as u32;
+                let here = self.steps.len() as u32;
                 self.emit(Op::LoopTest { index, counter: to, target: here + 2 });
                 self.emit_jump(Op::Jump { target: 0 }, body);
             }

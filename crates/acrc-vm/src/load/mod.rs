@@ -26,7 +26,7 @@ use self::place::Scratch;
 use crate::code::{Code, Doubt, Location, Real, StatementMark, Unconfirmed};
 use crate::fault::FaultKind;
 use crate::functions::AngleUnit;
-use crate::op::Op;
+use crate::op::{Begins, Op, Step};
 use crate::plan::Plan;
 use crate::value::Value;
 
@@ -63,7 +63,9 @@ struct Loader<'a> {
     /// Places of the label definitions, in order.
     labels: Vec<usize>,
     boot: bool,
-    ops: Vec<Op>,
+    steps: Vec<Step>,
+    /// What begins with the next instruction.
+    begins: Begins,
     /// Jumps whose address is not known yet.
     jumps: Vec<(usize, Jump)>,
     addresses: Vec<Addresses>,
@@ -105,7 +107,8 @@ impl Code {
             instructions: &instructions,
             roles,
             boot: unit.name == UnitName::Boot,
-            ops: Vec::new(),
+            steps: Vec::new(),
+            begins: Begins::Nothing,
             jumps: Vec::new(),
             addresses: Vec::with_capacity(instructions.len()),
             scratch: Scratch::default(),
@@ -152,26 +155,26 @@ impl Loader<'_> {
     /// A new statement: nothing of the one before it is needed any more.
     fn begin(&mut self) {
         self.scratch = Scratch::default();
-        let entry = self.ops.len() as u32;
+        let entry = self.steps.len() as u32;
         self.addresses.push(Addresses { entry, start: entry });
         self.statements.push(StatementMark { pc: entry, location: self.location });
     }
 
     /// The present statement starts here for those who jump to it.
     fn mark_start(&mut self, place: usize) {
-        let start = self.ops.len() as u32;
+        let start = self.steps.len() as u32;
         if let Some(addresses) = self.addresses.get_mut(place) {
             addresses.start = start;
         }
     }
 
     fn emit(&mut self, op: Op) {
-        self.ops.push(op);
+        self.steps.push(Step { op, begins: std::mem::take(&mut self.begins) });
     }
 
     fn emit_jump(&mut self, op: Op, to: Jump) {
-        self.jumps.push((self.ops.len(), to));
-        self.ops.push(op);
+        self.jumps.push((self.steps.len(), to));
+        self.emit(op);
     }
 
     /// A fault that is raised when the statement is reached.
@@ -189,7 +192,7 @@ impl Loader<'_> {
     }
 
     fn finish(mut self, name: UnitName, angle: AngleUnit) -> Code {
-        let end = self.ops.len() as u32;
+        let end = self.steps.len() as u32;
         self.emit(Op::End);
         let address = |place: usize| self.addresses.get(place).copied().unwrap_or(Addresses { entry: end, start: end });
         for (op, jump) in &self.jumps {
@@ -198,14 +201,14 @@ impl Loader<'_> {
                 Jump::Entry(place) => address(place).entry,
                 Jump::Behind(place) => address(place + 1).entry,
             };
-            if let Some(target) = self.ops.get_mut(*op).and_then(Op::target_mut) {
+            if let Some(target) = self.steps.get_mut(*op).and_then(|step| step.op.target_mut()) {
                 *target = destination;
             }
         }
         let loops = self.roles.iter().filter(|role| matches!(role, Role::For { .. })).count();
         Code {
             name,
-            ops: self.ops.into(),
+            steps: self.steps.into(),
             constants: self.constants.into(),
             reals: self.reals.into(),
             plans: self.plans.into(),

@@ -11,7 +11,7 @@ use super::place::Place;
 use super::{Jump, Loader};
 use crate::fault::FaultKind;
 use crate::locals::DimBlock;
-use crate::op::Op;
+use crate::op::{Begins, Op};
 use crate::own::{Own, own};
 
 impl Loader<'_> {
@@ -23,11 +23,20 @@ impl Loader<'_> {
             self.emit_jump(Op::Jump { target: 0 }, Jump::To(end));
         }
         self.mark_start(place);
-        match instruction.separator {
-            Separator::Line => self.emit(Op::Line),
-            _ if own(instruction.command) == Some(Own::Passive) => {}
-            _ => self.emit(Op::Statement),
+        self.begins = match instruction.separator {
+            Separator::Line => Begins::Line,
+            _ if own(instruction.command) == Some(Own::Passive) => Begins::Nothing,
+            _ => Begins::Statement,
+        };
+        self.execution(role, instruction)?;
+        if self.begins != Begins::Nothing {
+            self.emit(Op::Nothing);
         }
+        Ok(())
+    }
+
+    /// What a statement does once it is reached.
+    fn execution(&mut self, role: Role, instruction: &Instruction) -> Result<(), LoadErrorKind> {
         match role {
             Role::Plain => self.plain(instruction),
             Role::IfThen { next_line } => self.condition(instruction, Jump::Entry(next_line)),

@@ -19,25 +19,25 @@ use crate::locals::Locals;
 /// How much a program may do at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
-    /// Lines that may be begun.
-    pub lines: u32,
-    /// Statements that may be begun.
-    pub statements: u32,
+    /// Lines or statements that may be begun.
+    units: u32,
+    /// Statements of the same line that a unit covers behind its first.
+    extent: u32,
 }
 
 impl Budget {
-    /// Statements that one line of a budget of lines may take: far more than a line holds, so that only a loop within
-    /// one line meets it.
+    /// Statements that count as one line: far more than a line holds, so that only a loop within one line meets it.
     const STATEMENTS_PER_LINE: u32 = 256;
 
-    /// A number of lines, as the scheduler of a controller grants them.
+    /// A number of lines, as the scheduler of a controller grants them. A run of lines does the same whether it is cut
+    /// into several budgets or not.
     pub const fn lines(lines: u32) -> Self {
-        Self { lines, statements: lines.saturating_mul(Self::STATEMENTS_PER_LINE) }
+        Self { units: lines, extent: Self::STATEMENTS_PER_LINE - 1 }
     }
 
     /// A number of statements.
     pub const fn statements(statements: u32) -> Self {
-        Self { lines: u32::MAX, statements }
+        Self { units: statements, extent: 0 }
     }
 }
 
@@ -60,16 +60,22 @@ pub struct Run {
     /// Why it stopped.
     pub stop: Stop,
     /// Statements that were begun.
-    pub statements: u32,
-    /// Lines that were begun.
-    pub lines: u32,
+    pub statements: u64,
+    /// What was used of the budget.
+    pub used: u32,
 }
 
 /// What is left of the budget.
 #[derive(Clone, Copy, Debug)]
 struct Meter {
-    lines: u32,
-    statements: u32,
+    /// Lines or statements.
+    units: u32,
+    /// Statements of the present line that need no further unit.
+    left: u32,
+    /// Statements that were begun.
+    statements: u64,
+    /// What `left` is at the start of a unit.
+    extent: u32,
 }
 
 /// Why the fast loop was left.
@@ -85,7 +91,8 @@ enum Exit {
 /// The frame and the local variables must belong to the code: a frame that ran other code has to be reset first.
 pub fn run<H: Host>(code: &Code, frame: &mut Frame, locals: &mut Locals, host: &mut H, budget: Budget) -> Run {
     frame.prepare(code.loops, code.value_slots);
-    let mut meter = Meter { lines: budget.lines, statements: budget.statements };
+    let Budget { units, extent } = budget;
+    let mut meter = Meter { units, left: 0, statements: 0, extent };
     let stop = match execute(code, frame, locals, host, &mut meter) {
         Ok(stop) => stop,
         Err(kind) => {
@@ -93,7 +100,7 @@ pub fn run<H: Host>(code: &Code, frame: &mut Frame, locals: &mut Locals, host: &
             Stop::Fault(Box::new(Fault { kind, pc: frame.pc }))
         }
     };
-    Run { stop, statements: budget.statements - meter.statements, lines: budget.lines - meter.lines }
+    Run { stop, statements: meter.statements, used: units - meter.units }
 }
 
 fn execute<H: Host>(
@@ -103,6 +110,12 @@ fn execute<H: Host>(
     host: &mut H,
     meter: &mut Meter,
 ) -> Result<Stop, FaultKind> {
+    // A call that is offered again has begun its statement before.
+    if frame.held
+        && let Some(stop) = slow::slow(code, frame, locals, host)?
+    {
+        return Ok(stop);
+    }
     loop {
         match steps::steps(code, frame, locals, host, meter)? {
             Exit::Ended => return Ok(Stop::Ended),

@@ -18,8 +18,8 @@ pub(super) fn slow<H: Host>(
     locals: &mut Locals,
     host: &mut H,
 ) -> Result<Option<Stop>, FaultKind> {
-    let Some(op) = code.ops.get(frame.pc as usize) else { return Ok(Some(Stop::Ended)) };
-    match *op {
+    let Some(step) = code.steps.get(frame.pc as usize) else { return Ok(Some(Stop::Ended)) };
+    match step.op {
         Op::Call { index } => return calls::call(code, frame, locals, host, index),
         Op::Device { query, to, device } => {
             let device = long(locals, device)?;
@@ -40,7 +40,7 @@ pub(super) fn slow<H: Host>(
             set(frame, to, value);
         }
         Op::LoadVariable { .. } | Op::StoreVariable { .. } | Op::LoadElement { .. } | Op::StoreElement { .. } => {
-            variable(*op, frame, locals)?;
+            variable(step.op, frame, locals)?;
         }
         Op::Dim { block, array, count, length } => {
             let sizes =

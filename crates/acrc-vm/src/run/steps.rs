@@ -13,7 +13,7 @@ use crate::frame::Frame;
 use crate::functions::power;
 use crate::host::Host;
 use crate::locals::{Locals, round_to_single};
-use crate::op::{Op, SCRATCH, Slot};
+use crate::op::{Begins, Op, SCRATCH, Slot};
 use crate::value::{Value, double_to_long};
 
 /// Executes instructions until one of them needs the whole machine. The frame then points at that instruction; on a
@@ -35,9 +35,9 @@ pub(super) fn steps<H: Host>(
     let doubles = locals.doubles.as_mut_slice();
     let values = frame.values.as_mut_slice();
     let loops = frame.loops.as_mut_slice();
-    let ops = &*code.ops;
+    let steps = &*code.steps;
     let mut pc = frame.pc as usize;
-    let Meter { mut lines, mut statements } = *meter;
+    let Meter { mut units, mut left, mut statements, extent } = *meter;
 
     let result = loop {
         // Breaks the loop with a fault.
@@ -100,23 +100,22 @@ pub(super) fn steps<H: Host>(
             }};
         }
 
-        let Some(op) = ops.get(pc) else { break Ok(Exit::Ended) };
-        match *op {
-            Op::Line => {
-                if lines == 0 || statements == 0 {
+        let Some(step) = steps.get(pc) else { break Ok(Exit::Ended) };
+        if step.begins != Begins::Nothing {
+            if step.begins == Begins::Line || left == 0 {
+                if units == 0 || !host.line() {
                     break Ok(Exit::Budget);
                 }
-                lines -= 1;
-                statements -= 1;
-                host.statement(pc as u32);
+                units -= 1;
+                left = extent;
+            } else {
+                left -= 1;
             }
-            Op::Statement => {
-                if statements == 0 {
-                    break Ok(Exit::Budget);
-                }
-                statements -= 1;
-                host.statement(pc as u32);
-            }
+            statements += 1;
+            host.statement(pc as u32);
+        }
+        match step.op {
+            Op::Nothing => {}
 
             Op::LongConst { to, value } => set_long!(to, value),
             Op::LongMove { to, from } => set_long!(to, long!(from)),
@@ -385,7 +384,7 @@ pub(super) fn steps<H: Host>(
         pc += 1;
     };
     frame.pc = pc as u32;
-    *meter = Meter { lines, statements };
+    *meter = Meter { units, left, statements, extent };
     result
 }
 

@@ -1,0 +1,108 @@
+//! How far a program may run in one go without anybody noticing.
+//!
+//! While only one program computes, nothing moves, and nobody watches each tick, the slices of the other programs and of
+//! communication are empty. The program then executes the lines of many slices at once. Time follows where it is looked
+//! at: before a line touches the machine, the clock is moved on to the slice to which the line belongs ([`Pace`]). What
+//! a run does and when is the same to the tick.
+
+use super::{Controller, Observer};
+use crate::program::{Program, State};
+
+/// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
+pub(crate) const LINES_PER_SLICE: u32 = 4;
+/// Slices that are executed at once at most, so that a run can be interrupted.
+const LONGEST: u64 = 1 << 16;
+
+/// When the lines of a program are executed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace {
+    /// Tick of the slice to which the first line belongs.
+    first: u64,
+    /// Ticks from one slice of the program to its next; 0 when all lines belong to one slice.
+    stride: u64,
+    /// Slices whose lines may be executed.
+    slices: u32,
+    /// Another program waits for something that this one may do.
+    awaited: bool,
+    /// Lines that were begun.
+    lines: u32,
+    /// Somebody has to look before the next line.
+    leave: bool,
+}
+
+impl Pace {
+    /// One slice, now.
+    pub(crate) fn slice(now: u64) -> Self {
+        Self { first: now, stride: 0, slices: 1, awaited: false, lines: 0, leave: false }
+    }
+
+    /// Lines that may be executed.
+    pub(super) fn budget(&self) -> u32 {
+        self.slices * LINES_PER_SLICE
+    }
+
+    /// Takes note of a line. False when it must not begin yet.
+    #[inline]
+    pub(crate) fn begin_line(&mut self) -> bool {
+        self.lines += u32::from(!self.leave);
+        !self.leave
+    }
+
+    /// Tick of the slice to which the present line belongs.
+    #[inline]
+    pub(crate) fn tick(&self) -> u64 {
+        self.first + self.stride * u64::from(self.lines.saturating_sub(1) / LINES_PER_SLICE)
+    }
+
+    /// More than the lines of one slice are executed.
+    pub(crate) fn is_ahead(&self) -> bool {
+        self.stride > 0
+    }
+
+    /// Whether whatever the program does to the machine matters to somebody.
+    pub(crate) fn is_awaited(&self) -> bool {
+        self.awaited
+    }
+
+    /// The next line has to wait until somebody has looked.
+    pub(crate) fn leave(&mut self) {
+        self.leave = true;
+    }
+}
+
+impl Controller {
+    /// How far a program may run that has its slice now. `end` is the last tick of the run.
+    pub(super) fn pace(&self, number: usize, end: u64, observer: &dyn Observer) -> Pace {
+        let now = self.machine.clock.ticks();
+        let here = Pace::slice(now);
+        if self.machine.in_motion() || !self.boot.done || observer.watches_every_tick() {
+            return here;
+        }
+        let mut until = self.machine.next_event_tick().map_or(end, |tick| tick.min(end));
+        let mut ring = 1;
+        let mut awaited = false;
+        for (other, program) in self.programs.iter().enumerate().filter(|(_, program)| program.state.is_active()) {
+            ring += 1;
+            if other == number {
+                continue;
+            }
+            match waiting(program, self.changes) {
+                // The low programs share a slice: they pass it on, or wait together.
+                Some(release) if number.max(other) < crate::scheduler::HIGH_PROGRAMS => {
+                    until = release.map_or(until, |release| release.min(until));
+                    awaited |= release.is_none();
+                }
+                _ => return here,
+            }
+        }
+        let stride = ring * self.machine.clock.slice_ticks();
+        let slices = until.saturating_sub(now).div_ceil(stride).min(LONGEST);
+        if slices < 2 { here } else { Pace { stride, slices: slices as u32, awaited, ..here } }
+    }
+}
+
+/// The tick to which a program waits, `Some(None)` when it waits for something to happen. `None` when it does not wait.
+fn waiting(program: &Program, changes: u64) -> Option<Option<u64>> {
+    let waits = program.state == State::Waiting && (program.release.is_some() || program.waited_at == changes);
+    waits.then_some(program.release)
+}
