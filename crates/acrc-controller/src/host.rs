@@ -23,6 +23,21 @@ impl Host for Context<'_> {
         written
     }
 
+    fn user(&mut self, number: u16) -> Result<f64, FaultKind> {
+        match self.machine.memory.user(usize::from(number)) {
+            Some(value) => Ok(value),
+            None => self.parameter(i64::from(number))?.to_f64(),
+        }
+    }
+
+    fn set_user(&mut self, number: u16, value: f64) -> Result<(), FaultKind> {
+        match self.machine.memory.user_mut(usize::from(number)) {
+            Some(place) => *place = value,
+            None => self.set_parameter(i64::from(number), &Value::Double(value))?,
+        }
+        Ok(())
+    }
+
     fn bit(&mut self, number: i64) -> Result<bool, FaultKind> {
         self.machine.read_bit(number).map_err(FaultKind::from)
     }
@@ -61,8 +76,13 @@ impl Host for Context<'_> {
     }
 
     #[inline]
-    fn line(&mut self) -> bool {
-        self.pace.begin_line()
+    fn reached(&mut self, used: u32) {
+        self.pace.reach(used);
+    }
+
+    #[inline]
+    fn interrupts(&self) -> bool {
+        self.pace.is_over()
     }
 }
 
@@ -73,7 +93,7 @@ fn is_user(number: i64) -> bool {
 
 impl Context<'_> {
     /// Moves time on to the slice of the present line.
-    fn catch_up(&mut self) {
+    pub(crate) fn catch_up(&mut self) {
         self.machine.skip_to(self.pace.tick());
     }
 

@@ -93,7 +93,7 @@ fn finish(code: &Code) -> u64 {
     let finished = run(code, &mut frame, &mut locals, &mut bench, Budget::statements(u32::MAX));
     assert_eq!(finished.stop, Stop::Ended);
     black_box(&bench.parameters);
-    finished.statements
+    u64::from(finished.statements)
 }
 
 /// Nanoseconds an iteration of the first loop in Python; `None` when it is not installed.

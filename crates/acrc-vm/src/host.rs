@@ -12,11 +12,23 @@ use crate::value::Value;
 /// The machine is generic over its host, so that these calls can be inlined. A fault that a method returns stops the
 /// program at the present statement.
 pub trait Host {
-    /// Reads `P<number>`, user variables `P0` to `P4095` included.
+    /// Reads `P<number>`. User variables `P0` to `P4095`, which have 64 bits, come here when their number is computed.
     fn parameter(&mut self, number: i64) -> Result<Value, FaultKind>;
 
     /// Writes `P<number>`. The value is a number, never a string.
     fn set_parameter(&mut self, number: i64, value: &Value) -> Result<(), FaultKind>;
+
+    /// Reads a user variable, `P0` to `P4095`.
+    #[inline]
+    fn user(&mut self, number: u16) -> Result<f64, FaultKind> {
+        self.parameter(i64::from(number))?.to_f64()
+    }
+
+    /// Writes a user variable, `P0` to `P4095`.
+    #[inline]
+    fn set_user(&mut self, number: u16, value: f64) -> Result<(), FaultKind> {
+        self.set_parameter(i64::from(number), &Value::Double(value))
+    }
 
     /// Reads a flag.
     fn bit(&mut self, number: i64) -> Result<bool, FaultKind>;
@@ -37,11 +49,18 @@ pub trait Host {
     /// True when a character waits at a device (`KBHIT`).
     fn character_waits(&mut self, device: i32) -> Result<bool, FaultKind>;
 
-    /// Called before every line that a budget of lines pays for, and before every statement of a budget of statements.
-    /// False stops the run in front of it, as if the budget were used up: for a host that has to see to something first.
+    /// Called before the program reads or changes anything but user variables, with how much of its budget it has used:
+    /// for a host that lets a program run ahead and finds out only now what time it is.
     #[inline]
-    fn line(&mut self) -> bool {
-        true
+    fn reached(&mut self, used: u32) {
+        let _ = used;
+    }
+
+    /// Asked after the program has changed anything but user variables. True stops the run in front of the next line, as
+    /// if the budget were used up: for a host that has to see to something first.
+    #[inline]
+    fn interrupts(&self) -> bool {
+        false
     }
 
     /// Called before every statement with its place ([`crate::Code::location`]): for tracing and coverage. Costs

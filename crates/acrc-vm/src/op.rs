@@ -185,6 +185,8 @@ pub(crate) enum Op {
     StoreElement { class: OperandClass, array: Slot, element: Slot, from: Slot },
 
     // Parameters and flags.
+    LoadUser { to: Slot, number: u16 },
+    StoreUser { number: u16, from: Slot },
     LoadParameter { to: Slot, number: i32 },
     LoadParameterAt { to: Slot, number: Slot },
     StoreParameter { number: i32, from: Slot },
@@ -198,6 +200,8 @@ pub(crate) enum Op {
 
     // Flow.
     Jump { target: u32 },
+    /// Goes back to the condition of a loop.
+    Again { target: u32 },
     /// Jumps when a long is zero.
     JumpUnless { from: Slot, target: u32 },
     JumpUnlessLong { relation: Relation, left: Slot, right: Slot, target: u32 },
@@ -232,6 +236,7 @@ impl Op {
     pub(crate) fn target_mut(&mut self) -> Option<&mut u32> {
         match self {
             Self::Jump { target }
+            | Self::Again { target }
             | Self::JumpUnless { target, .. }
             | Self::JumpUnlessLong { target, .. }
             | Self::JumpUnlessLongConst { target, .. }

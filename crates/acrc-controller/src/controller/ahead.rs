@@ -41,11 +41,14 @@ impl Pace {
         self.slices * LINES_PER_SLICE
     }
 
-    /// Takes note of a line. False when it must not begin yet.
-    #[inline]
-    pub(crate) fn begin_line(&mut self) -> bool {
-        self.lines += u32::from(!self.leave);
-        !self.leave
+    /// Takes note of how many lines were begun.
+    pub(crate) fn reach(&mut self, lines: u32) {
+        self.lines = lines;
+    }
+
+    /// The next line must not begin yet.
+    pub(crate) fn is_over(&self) -> bool {
+        self.leave
     }
 
     /// Tick of the slice to which the present line belongs.

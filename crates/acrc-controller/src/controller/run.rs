@@ -157,9 +157,9 @@ impl Controller {
             immediate: false,
         };
         let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(lines));
-        let reached = context.pace.tick();
-        self.machine.skip_to(reached);
-        program.statements += run.statements;
+        context.pace.reach(run.used);
+        context.catch_up();
+        program.statements += u64::from(run.statements);
         // A program that only finds again that it has to wait has changed nothing.
         if run.statements > 0 || run.stop != Stop::Blocked {
             self.changes += 1;

@@ -1,5 +1,6 @@
 //! Variables, parameters and flags: reading, writing and naming them.
 
+use acrc_catalog::memory::USER_PARAMETERS;
 use acrc_catalog::{OperandClass, ValueType};
 use acrc_image::{Alias, Node};
 
@@ -24,6 +25,8 @@ pub(super) enum Target {
     LongElement(u16, Slot),
     DoubleElement(u16, Slot),
     Element(OperandClass, Slot, Slot),
+    /// `P0` to `P4095`, which have 64 bits.
+    User(u16),
     Parameter(Index),
     Bit(Index),
     /// `LA0` without an element, which has no value.
@@ -52,7 +55,7 @@ impl Loader<'_> {
     pub(super) fn target(&mut self, node: &Node) -> Result<Option<Target>, LoadErrorKind> {
         let Some(Named { class, index, element }) = self.named(node)? else { return Ok(None) };
         let target = match (class, index) {
-            (OperandClass::Parameter, _) => Target::Parameter(index),
+            (OperandClass::Parameter, _) => user(index).map_or(Target::Parameter(index), Target::User),
             (OperandClass::Bit, _) => Target::Bit(index),
             _ => match element {
                 Some(element) => self.element_target(class, index, element)?,
@@ -132,6 +135,11 @@ impl Loader<'_> {
             Target::DoubleElement(array, element) => {
                 let to = self.double_slot()?;
                 self.emit(Op::LoadDoubleElement { to, array, element });
+                Ok(Place::Double(to))
+            }
+            Target::User(number) => {
+                let to = self.double_slot()?;
+                self.emit(Op::LoadUser { to, number });
                 Ok(Place::Double(to))
             }
             Target::Variable(..) | Target::Element(..) => self.load_computed(target),
@@ -221,6 +229,10 @@ impl Loader<'_> {
                 let from = self.value(place)?;
                 self.emit(Op::StoreElement { class, array, element, from });
             }
+            Target::User(number) => {
+                let from = self.double(place)?;
+                self.emit(Op::StoreUser { number, from });
+            }
             Target::Parameter(index) => {
                 let from = self.number(place)?;
                 self.emit(match index {
@@ -257,5 +269,13 @@ impl Loader<'_> {
                 Ok(to)
             }
         }
+    }
+}
+
+/// The number of a user variable, if it is one whatever the program does.
+fn user(index: Index) -> Option<u16> {
+    match index {
+        Index::Const(number) => u16::try_from(number).ok().filter(|number| u32::from(*number) < USER_PARAMETERS),
+        Index::Slot(_) => None,
     }
 }

@@ -44,7 +44,7 @@ impl Loader<'_> {
             Role::Else { .. } => Ok(()),
             Role::While { end } => self.condition(instruction, Jump::Behind(end)),
             Role::Wend { start } => {
-                self.emit_jump(Op::Jump { target: 0 }, Jump::To(start));
+                self.emit_jump(Op::Again { target: 0 }, Jump::To(start));
                 Ok(())
             }
             Role::For { index, end } => self.begin_for(instruction, index, end),

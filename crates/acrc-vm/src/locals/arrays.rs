@@ -68,6 +68,20 @@ impl<T: Clone + Default> Arrays<T> {
         }
     }
 
+    /// An element, with the numbers in the types in which instructions have them.
+    #[inline]
+    pub(crate) fn element(&mut self, array: u16, element: i32) -> Result<&mut T, FaultKind> {
+        // A negative number becomes one beyond every array.
+        let place = element as u32 as usize;
+        let class = self.class;
+        let count = self.arrays.len();
+        match self.arrays.get_mut(usize::from(array)) {
+            Some(block) if place < block.items.len() => Ok(&mut block.items[place]),
+            Some(block) => Err(block.missing(class, i64::from(array), i64::from(element))),
+            None => Err(no_such_array(class, i64::from(array), count)),
+        }
+    }
+
     /// An element.
     #[inline]
     pub(crate) fn get(&self, array: i64, element: i64) -> Result<&T, FaultKind> {

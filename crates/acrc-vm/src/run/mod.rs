@@ -7,8 +7,10 @@
 mod arithmetic;
 mod calls;
 mod input;
+mod shared;
 mod slow;
 mod steps;
+mod values;
 
 use crate::code::Code;
 use crate::fault::{Fault, FaultKind};
@@ -29,10 +31,14 @@ impl Budget {
     /// Statements that count as one line: far more than a line holds, so that only a loop within one line meets it.
     const STATEMENTS_PER_LINE: u32 = 256;
 
-    /// A number of lines, as the scheduler of a controller grants them. A run of lines does the same whether it is cut
-    /// into several budgets or not.
+    /// Lines that one run executes at most, so that its statements can be counted with 32 bits.
+    const MOST_LINES: u32 = u32::MAX / Self::STATEMENTS_PER_LINE;
+
+    /// A number of lines, as the scheduler of a controller grants them; at most sixteen million at once. What a program
+    /// does is the same whether its lines are cut into several budgets or not.
     pub const fn lines(lines: u32) -> Self {
-        Self { units: lines, extent: Self::STATEMENTS_PER_LINE - 1 }
+        let units = if lines < Self::MOST_LINES { lines } else { Self::MOST_LINES };
+        Self { units, extent: Self::STATEMENTS_PER_LINE - 1 }
     }
 
     /// A number of statements.
@@ -60,7 +66,7 @@ pub struct Run {
     /// Why it stopped.
     pub stop: Stop,
     /// Statements that were begun.
-    pub statements: u64,
+    pub statements: u32,
     /// What was used of the budget.
     pub used: u32,
 }
@@ -68,14 +74,52 @@ pub struct Run {
 /// What is left of the budget.
 #[derive(Clone, Copy, Debug)]
 struct Meter {
-    /// Lines or statements.
-    units: u32,
+    /// Units that are left in the upper half, statements that were begun in the lower: one addition counts both.
+    count: u64,
     /// Statements of the present line that need no further unit.
     left: u32,
-    /// Statements that were begun.
-    statements: u64,
     /// What `left` is at the start of a unit.
     extent: u32,
+    /// Units that were granted.
+    granted: u32,
+}
+
+impl Meter {
+    /// A unit of `count`.
+    const UNIT: u64 = 1 << 32;
+
+    fn new(budget: Budget) -> Self {
+        let Budget { units, extent } = budget;
+        Self { count: u64::from(units) * Self::UNIT, left: 0, extent, granted: units }
+    }
+
+    /// Accounts for a statement. False when the budget does not allow it.
+    #[inline]
+    fn begin(&mut self, line: bool) -> bool {
+        if line || self.left == 0 {
+            if self.count < Self::UNIT {
+                return false;
+            }
+            self.count -= Self::UNIT - 1;
+            self.left = self.extent;
+        } else {
+            self.count += 1;
+            self.left -= 1;
+        }
+        true
+    }
+
+    /// Units that were used.
+    #[inline]
+    fn used(&self) -> u32 {
+        self.granted - (self.count >> 32) as u32
+    }
+
+    /// Takes the rest of the budget away.
+    fn revoke(&mut self) {
+        self.granted = self.used();
+        self.count %= Self::UNIT;
+    }
 }
 
 /// Why the fast loop was left.
@@ -91,8 +135,7 @@ enum Exit {
 /// The frame and the local variables must belong to the code: a frame that ran other code has to be reset first.
 pub fn run<H: Host>(code: &Code, frame: &mut Frame, locals: &mut Locals, host: &mut H, budget: Budget) -> Run {
     frame.prepare(code.loops, code.value_slots);
-    let Budget { units, extent } = budget;
-    let mut meter = Meter { units, left: 0, statements: 0, extent };
+    let mut meter = Meter::new(budget);
     let stop = match execute(code, frame, locals, host, &mut meter) {
         Ok(stop) => stop,
         Err(kind) => {
@@ -100,7 +143,7 @@ pub fn run<H: Host>(code: &Code, frame: &mut Frame, locals: &mut Locals, host: &
             Stop::Fault(Box::new(Fault { kind, pc: frame.pc }))
         }
     };
-    Run { stop, statements: meter.statements, used: units - meter.units }
+    Run { stop, statements: meter.count as u32, used: meter.used() }
 }
 
 fn execute<H: Host>(
@@ -112,7 +155,7 @@ fn execute<H: Host>(
 ) -> Result<Stop, FaultKind> {
     // A call that is offered again has begun its statement before.
     if frame.held
-        && let Some(stop) = slow::slow(code, frame, locals, host)?
+        && let Some(stop) = slow::slow(code, frame, locals, host, meter)?
     {
         return Ok(stop);
     }
@@ -121,7 +164,7 @@ fn execute<H: Host>(
             Exit::Ended => return Ok(Stop::Ended),
             Exit::Budget => return Ok(Stop::Budget),
             Exit::Slow => {
-                if let Some(stop) = slow::slow(code, frame, locals, host)? {
+                if let Some(stop) = slow::slow(code, frame, locals, host, meter)? {
                     return Ok(stop);
                 }
             }

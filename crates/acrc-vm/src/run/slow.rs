@@ -1,6 +1,6 @@
 //! Instructions that need the whole machine: calls of the host, memory, strings, variables by computed numbers.
 
-use super::Stop;
+use super::{Meter, Stop};
 use super::calls::{self, Files};
 use crate::code::Code;
 use crate::fault::FaultKind;
@@ -17,12 +17,21 @@ pub(super) fn slow<H: Host>(
     frame: &mut Frame,
     locals: &mut Locals,
     host: &mut H,
+    meter: &mut Meter,
 ) -> Result<Option<Stop>, FaultKind> {
     let Some(step) = code.steps.get(frame.pc as usize) else { return Ok(Some(Stop::Ended)) };
     match step.op {
-        Op::Call { index } => return calls::call(code, frame, locals, host, index),
+        Op::Call { index } => {
+            host.reached(meter.used());
+            let stop = calls::call(code, frame, locals, host, index);
+            if host.interrupts() {
+                meter.revoke();
+            }
+            return stop;
+        }
         Op::Device { query, to, device } => {
             let device = long(locals, device)?;
+            host.reached(meter.used());
             match ask(host, query, device)? {
                 Some(value) => set(frame, to, value),
                 None => {

@@ -5,8 +5,9 @@
 
 use acrc_catalog::OperandClass;
 
-use super::arithmetic::{absolute, finite, long_operate, negate, quotient, random_bound, remainder, value_operate};
-use super::{Exit, Meter};
+use super::arithmetic::{finite, long_operate, quotient, random_bound, remainder};
+use super::values::{self, Files};
+use super::{Exit, Meter, shared};
 use crate::code::Code;
 use crate::fault::FaultKind;
 use crate::frame::Frame;
@@ -14,7 +15,7 @@ use crate::functions::power;
 use crate::host::Host;
 use crate::locals::{Locals, round_to_single};
 use crate::op::{Begins, Op, SCRATCH, Slot};
-use crate::value::{Value, double_to_long};
+use crate::value::double_to_long;
 
 /// Executes instructions until one of them needs the whole machine. The frame then points at that instruction; on a
 /// fault, at the one at fault.
@@ -33,11 +34,9 @@ pub(super) fn steps<H: Host>(
     let (limit, used) = (locals.limit(), locals.used());
     let longs = locals.longs.as_mut_slice();
     let doubles = locals.doubles.as_mut_slice();
-    let values = frame.values.as_mut_slice();
-    let loops = frame.loops.as_mut_slice();
     let steps = &*code.steps;
     let mut pc = frame.pc as usize;
-    let Meter { mut units, mut left, mut statements, extent } = *meter;
+    let mut count = *meter;
 
     let result = loop {
         // Breaks the loop with a fault.
@@ -65,14 +64,6 @@ pub(super) fn steps<H: Host>(
                 }
             };
         }
-        macro_rules! value {
-            ($slot:expr) => {
-                match values.get(usize::from($slot)) {
-                    Some(value) => value,
-                    None => break Err(FaultKind::NumberExpected),
-                }
-            };
-        }
         macro_rules! set_long {
             ($slot:expr, $value:expr) => {{
                 let value: i32 = $value;
@@ -91,29 +82,19 @@ pub(super) fn steps<H: Host>(
                 }
             }};
         }
-        macro_rules! set_value {
-            ($slot:expr, $value:expr) => {{
-                let value: Value = $value;
-                if let Some(place) = values.get_mut(usize::from($slot)) {
-                    *place = value;
+        // Accounts for what begins with the instruction at `pc`.
+        macro_rules! begin {
+            ($begins:expr) => {
+                if $begins != Begins::Nothing {
+                    if !count.begin($begins == Begins::Line) {
+                        break Ok(Exit::Budget);
+                    }
+                    host.statement(pc as u32);
                 }
-            }};
+            };
         }
-
         let Some(step) = steps.get(pc) else { break Ok(Exit::Ended) };
-        if step.begins != Begins::Nothing {
-            if step.begins == Begins::Line || left == 0 {
-                if units == 0 || !host.line() {
-                    break Ok(Exit::Budget);
-                }
-                units -= 1;
-                left = extent;
-            } else {
-                left -= 1;
-            }
-            statements += 1;
-            host.statement(pc as u32);
-        }
+        begin!(step.begins);
         match step.op {
             Op::Nothing => {}
 
@@ -159,45 +140,8 @@ pub(super) fn steps<H: Host>(
                 set_double!(to, f64::from(host.random(below)));
             }
 
-            Op::ValueConst { to, index } => {
-                if let (Some(place), Some(constant)) =
-                    (values.get_mut(usize::from(to)), code.constants.get(index as usize))
-                {
-                    place.clone_from(constant);
-                }
-            }
-            Op::ValueMove { to, from } => set_value!(to, value!(from).clone()),
-            Op::ValueNegate { to, from } => set_value!(to, checked!(negate(value!(from)))),
-            Op::ValueAbs { to, from } => set_value!(to, checked!(absolute(value!(from)))),
-            Op::ValueOperate { operator, to, left, right } => {
-                set_value!(to, checked!(value_operate(operator, value!(left), value!(right))));
-            }
-            Op::RealCompare { relation, to, left, index } => {
-                let Some(real) = code.reals.get(index as usize) else { break Err(FaultKind::NumberExpected) };
-                let state = match value!(left) {
-                    Value::Single(value) => relation.holds(value, &real.single),
-                    value => relation.holds(&checked!(value.to_f64()), &real.decimal),
-                };
-                set_long!(to, -i32::from(state));
-            }
-            Op::TextJoin { to, left, right } => {
-                let joined = checked!(value!(left).as_text()).joined(checked!(value!(right).as_text()));
-                set_value!(to, Value::Text(joined));
-            }
-            Op::TextCompare { relation, to, left, right } => {
-                let state = relation.holds(checked!(value!(left).as_text()), checked!(value!(right).as_text()));
-                set_long!(to, -i32::from(state));
-            }
-
             Op::LongToDouble { to, from } => set_double!(to, f64::from(long!(from))),
             Op::DoubleToLong { to, from } => set_long!(to, double_to_long(double!(from))),
-            Op::LongToValue { to, from } => set_value!(to, Value::Long(long!(from))),
-            Op::DoubleToValue { to, from } => set_value!(to, Value::Double(double!(from))),
-            Op::SingleToValue { to, from } => set_value!(to, Value::Single(double!(from) as f32)),
-            Op::ValueToLong { to, from } => set_long!(to, checked!(value!(from).to_long())),
-            Op::ValueToDouble { to, from } => set_double!(to, checked!(value!(from).to_f64())),
-            Op::ValueTruth { to, from } => set_long!(to, -i32::from(checked!(value!(from).truth()))),
-
             Op::LoadSingle { to, index } => match locals.singles.get(index as usize) {
                 Some(value) => set_double!(to, f64::from(*value)),
                 None => break Err(undimensioned(OperandClass::Sv, index, locals.singles.len())),
@@ -209,52 +153,36 @@ pub(super) fn steps<H: Host>(
                     None => break Err(undimensioned(OperandClass::Sv, index, locals.singles.len())),
                 }
             }
-            Op::LoadText { to, index } => match locals.texts.items.get(index as usize) {
-                Some(text) => set_value!(to, Value::Text(text.clone())),
-                None => break Err(undimensioned(OperandClass::StringV, index, locals.texts.items.len())),
-            },
-            Op::StoreText { index, from } => {
-                let text = checked!(value!(from).as_text()).clone().truncated(locals.texts.length);
-                match locals.texts.items.get_mut(index as usize) {
-                    Some(place) => *place = text,
-                    None => break Err(undimensioned(OperandClass::StringV, index, locals.texts.items.len())),
-                }
-            }
             Op::LoadLongElement { to, array, element } => {
-                let element = i64::from(long!(element));
-                set_long!(to, *checked!(locals.long_arrays.get(i64::from(array), element)));
+                set_long!(to, *checked!(locals.long_arrays.element(array, long!(element))));
             }
             Op::StoreLongElement { array, element, from } => {
-                let (element, value) = (i64::from(long!(element)), long!(from));
-                *checked!(locals.long_arrays.get_mut(i64::from(array), element)).0 = value;
+                *checked!(locals.long_arrays.element(array, long!(element))) = long!(from);
             }
             Op::LoadDoubleElement { to, array, element } => {
-                let element = i64::from(long!(element));
-                set_double!(to, *checked!(locals.double_arrays.get(i64::from(array), element)));
+                set_double!(to, *checked!(locals.double_arrays.element(array, long!(element))));
             }
             Op::StoreDoubleElement { array, element, from } => {
-                let (element, value) = (i64::from(long!(element)), double!(from));
-                *checked!(locals.double_arrays.get_mut(i64::from(array), element)).0 = value;
+                *checked!(locals.double_arrays.element(array, long!(element))) = double!(from);
             }
 
-            Op::LoadParameter { to, number } => set_value!(to, checked!(host.parameter(i64::from(number)))),
-            Op::LoadParameterAt { to, number } => set_value!(to, checked!(host.parameter(i64::from(long!(number))))),
-            Op::StoreParameter { number, from } => checked!(host.set_parameter(i64::from(number), value!(from))),
-            Op::StoreParameterAt { number, from } => {
-                checked!(host.set_parameter(i64::from(long!(number)), value!(from)));
-            }
-            Op::LoadBit { to, number } => set_long!(to, -i32::from(checked!(host.bit(i64::from(number))))),
-            Op::LoadBitAt { to, number } => {
-                set_long!(to, -i32::from(checked!(host.bit(i64::from(long!(number))))));
-            }
-            Op::StoreBit { number, from } => checked!(host.set_bit(i64::from(number), long!(from) != 0)),
-            Op::StoreBitAt { number, from } => {
-                checked!(host.set_bit(i64::from(long!(number)), long!(from) != 0));
-            }
-            Op::SetBit { number, state } => checked!(host.set_bit(i64::from(number), state)),
+            Op::LoadUser { to, number } => set_double!(to, checked!(host.user(number))),
+            Op::StoreUser { number, from } => checked!(host.set_user(number, double!(from))),
+            Op::LoadBit { to, number } => set_long!(to, -i32::from(checked!(shared::bit(host, &count, number)))),
 
             Op::Jump { target } => {
                 pc = target as usize;
+                continue;
+            }
+            Op::Again { target } => {
+                pc = target as usize;
+                // The usual condition of a loop is decided here, which spares a dispatch in each pass.
+                if let Some(step) = steps.get(pc)
+                    && let Op::JumpUnlessLongConst { relation, left: variable, value, target } = step.op
+                {
+                    begin!(step.begins);
+                    pc = if relation.holds(&long!(variable), &value) { pc + 1 } else { target as usize };
+                }
                 continue;
             }
             Op::JumpUnless { from, target } => {
@@ -282,7 +210,7 @@ pub(super) fn steps<H: Host>(
                 }
             }
             Op::JumpUnlessBit { number, state, target } => {
-                if checked!(host.bit(i64::from(number))) != state {
+                if checked!(shared::bit(host, &count, number)) != state {
                     pc = target as usize;
                     continue;
                 }
@@ -305,12 +233,12 @@ pub(super) fn steps<H: Host>(
             },
             Op::LoopBegin { index, end, step, whole } => {
                 let (end, step) = (double!(end), double!(step));
-                if let Some(state) = loops.get_mut(usize::from(index)) {
+                if let Some(state) = frame.loops.get_mut(usize::from(index)) {
                     checked!(state.begin(end, step, whole));
                 }
             }
             Op::LoopTest { index, counter, target } => {
-                if let Some(state) = loops.get_mut(usize::from(index))
+                if let Some(state) = frame.loops.get_mut(usize::from(index))
                     && double!(counter) > state.end
                 {
                     state.step = 0.0;
@@ -319,7 +247,7 @@ pub(super) fn steps<H: Host>(
                 }
             }
             Op::LoopTestLong { index, counter, target } => {
-                if let Some(state) = loops.get_mut(usize::from(index))
+                if let Some(state) = frame.loops.get_mut(usize::from(index))
                     && i64::from(long!(counter)) > state.end_long
                 {
                     state.step = 0.0;
@@ -327,12 +255,12 @@ pub(super) fn steps<H: Host>(
                     continue;
                 }
             }
-            Op::LoopStep { index, to, from } => match loops.get(usize::from(index)) {
+            Op::LoopStep { index, to, from } => match frame.loops.get(usize::from(index)) {
                 Some(state) if state.step != 0.0 => set_double!(to, double!(from) + state.step),
                 _ => break Err(FaultKind::NextWithoutFor),
             },
             Op::LoopNext { index, counter, target } => {
-                let next = match loops.get_mut(usize::from(index)) {
+                let next = match frame.loops.get_mut(usize::from(index)) {
                     Some(state) if state.step != 0.0 => {
                         let next = double!(counter) + state.step;
                         if next > state.end {
@@ -349,7 +277,7 @@ pub(super) fn steps<H: Host>(
                 set_double!(counter, next);
             }
             Op::LoopNextLong { index, counter, target } => {
-                let next = match loops.get_mut(usize::from(index)) {
+                let next = match frame.loops.get_mut(usize::from(index)) {
                     Some(state) if state.step != 0.0 => {
                         let next = i64::from(long!(counter)) + state.step_long;
                         if next > state.end_long {
@@ -371,6 +299,36 @@ pub(super) fn steps<H: Host>(
                 break Err(fault.unwrap_or(FaultKind::NumberExpected));
             }
 
+            Op::LoadParameter { .. }
+            | Op::LoadParameterAt { .. }
+            | Op::StoreParameter { .. }
+            | Op::StoreParameterAt { .. }
+            | Op::LoadBitAt { .. }
+            | Op::StoreBit { .. }
+            | Op::StoreBitAt { .. }
+            | Op::SetBit { .. } => {
+                let files = Files { longs, doubles, values: &mut frame.values };
+                checked!(shared::execute(step.op, host, &mut count, files));
+            }
+            Op::ValueConst { .. }
+            | Op::ValueMove { .. }
+            | Op::ValueNegate { .. }
+            | Op::ValueAbs { .. }
+            | Op::ValueOperate { .. }
+            | Op::RealCompare { .. }
+            | Op::TextJoin { .. }
+            | Op::TextCompare { .. }
+            | Op::LongToValue { .. }
+            | Op::DoubleToValue { .. }
+            | Op::SingleToValue { .. }
+            | Op::ValueToLong { .. }
+            | Op::ValueToDouble { .. }
+            | Op::ValueTruth { .. }
+            | Op::LoadText { .. }
+            | Op::StoreText { .. } => {
+                let files = Files { longs, doubles, values: &mut frame.values };
+                checked!(values::execute(step.op, code, files, &mut locals.texts));
+            }
             Op::TextCall { .. }
             | Op::Device { .. }
             | Op::LoadVariable { .. }
@@ -384,18 +342,18 @@ pub(super) fn steps<H: Host>(
         pc += 1;
     };
     frame.pc = pc as u32;
-    *meter = Meter { units, left, statements, extent };
+    *meter = count;
     result
 }
 
 /// The fault of a variable that does not exist, by its slot.
 #[cold]
-fn missing(class: OperandClass, slot: Slot, length: usize) -> FaultKind {
+pub(super) fn missing(class: OperandClass, slot: Slot, length: usize) -> FaultKind {
     let count = length.saturating_sub(SCRATCH) as u32;
     FaultKind::Undimensioned { class, index: i64::from(slot) - SCRATCH as i64, count }
 }
 
 #[cold]
-fn undimensioned(class: OperandClass, index: u32, count: usize) -> FaultKind {
+pub(super) fn undimensioned(class: OperandClass, index: u32, count: usize) -> FaultKind {
     FaultKind::Undimensioned { class, index: i64::from(index), count: count as u32 }
 }
