@@ -206,6 +206,8 @@ pub(crate) enum Op {
     JumpUnless { from: Slot, target: u32 },
     JumpUnlessLong { relation: Relation, left: Slot, right: Slot, target: u32 },
     JumpUnlessLongConst { relation: Relation, left: Slot, value: i32, target: u32 },
+    /// `IF (n MOD divisor = value)`, the usual way to do something in every so manieth pass.
+    JumpUnlessRem { relation: Relation, left: Slot, divisor: i32, value: i32, target: u32 },
     JumpUnlessDouble { relation: Relation, left: Slot, right: Slot, target: u32 },
     /// Jumps when a flag is clear, or when it is set.
     JumpUnlessBit { number: i32, state: bool, target: u32 },
@@ -240,6 +242,7 @@ impl Op {
             | Self::JumpUnless { target, .. }
             | Self::JumpUnlessLong { target, .. }
             | Self::JumpUnlessLongConst { target, .. }
+            | Self::JumpUnlessRem { target, .. }
             | Self::JumpUnlessDouble { target, .. }
             | Self::JumpUnlessBit { target, .. }
             | Self::Gosub { target }

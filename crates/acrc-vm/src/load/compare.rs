@@ -13,7 +13,7 @@ use super::place::{Kind, Place};
 use super::{Jump, Loader, Scratch};
 use crate::code::Real;
 use crate::fault::FaultKind;
-use crate::op::{Op, Relation, Slot};
+use crate::op::{Op, Relation, SCRATCH, Slot, Step};
 
 /// The operands of a relation, brought to one file.
 enum Operands {
@@ -124,7 +124,10 @@ impl Loader<'_> {
         let target = 0;
         let jump = match operands {
             Operands::Long(left, right) => Op::JumpUnlessLong { relation, left, right, target },
-            Operands::LongConst(left, value) => Op::JumpUnlessLongConst { relation, left, value, target },
+            Operands::LongConst(left, value) => match self.take_remainder(left) {
+                Some((left, divisor)) => Op::JumpUnlessRem { relation, left, divisor, value, target },
+                None => Op::JumpUnlessLongConst { relation, left, value, target },
+            },
             Operands::Double(left, right) => Op::JumpUnlessDouble { relation, left, right, target },
             Operands::Real(left, index) => {
                 let from = self.long_slot()?;
@@ -139,6 +142,17 @@ impl Loader<'_> {
         };
         self.emit_jump(jump, to);
         Ok(())
+    }
+
+    /// Takes the latest instruction back if it computed a remainder into a scratch slot: its dividend and its divisor.
+    fn take_remainder(&mut self, slot: Slot) -> Option<(Slot, i32)> {
+        let Step { op: Op::LongRemConst { to, left, value }, begins } = *self.steps.last()? else { return None };
+        if to != slot || usize::from(to) >= SCRATCH {
+            return None;
+        }
+        self.steps.pop();
+        self.begins = begins;
+        Some((left, value))
     }
 
     /// The flag of a condition such as `BIT 24` or `NOT BIT 24`, and the state that makes it true.

@@ -8,8 +8,8 @@ use crate::op::Op;
 
 /// Reads a flag.
 #[inline(never)]
-pub(super) fn bit<H: Host>(host: &mut H, meter: &Meter, number: i32) -> Result<bool, FaultKind> {
-    host.reached(meter.used());
+pub(super) fn bit<H: Host>(host: &mut H, used: u32, number: i32) -> Result<bool, FaultKind> {
+    host.reached(used);
     host.bit(i64::from(number))
 }
 

@@ -168,7 +168,7 @@ pub(super) fn steps<H: Host>(
 
             Op::LoadUser { to, number } => set_double!(to, checked!(host.user(number))),
             Op::StoreUser { number, from } => checked!(host.set_user(number, double!(from))),
-            Op::LoadBit { to, number } => set_long!(to, -i32::from(checked!(shared::bit(host, &count, number)))),
+            Op::LoadBit { to, number } => set_long!(to, -i32::from(checked!(shared::bit(host, count.used(), number)))),
 
             Op::Jump { target } => {
                 pc = target as usize;
@@ -203,6 +203,12 @@ pub(super) fn steps<H: Host>(
                     continue;
                 }
             }
+            Op::JumpUnlessRem { relation, left, divisor, value, target } => {
+                if !relation.holds(&checked!(remainder(long!(left), divisor)), &value) {
+                    pc = target as usize;
+                    continue;
+                }
+            }
             Op::JumpUnlessDouble { relation, left, right, target } => {
                 if !relation.holds(&double!(left), &double!(right)) {
                     pc = target as usize;
@@ -210,7 +216,7 @@ pub(super) fn steps<H: Host>(
                 }
             }
             Op::JumpUnlessBit { number, state, target } => {
-                if checked!(shared::bit(host, &count, number)) != state {
+                if checked!(shared::bit(host, count.used(), number)) != state {
                     pc = target as usize;
                     continue;
                 }
@@ -308,7 +314,11 @@ pub(super) fn steps<H: Host>(
             | Op::StoreBitAt { .. }
             | Op::SetBit { .. } => {
                 let files = Files { longs, doubles, values: &mut frame.values };
-                checked!(shared::execute(step.op, host, &mut count, files));
+                // A copy, so that the count itself may stay in registers.
+                let mut meter = count;
+                let done = shared::execute(step.op, host, &mut meter, files);
+                count = meter;
+                checked!(done);
             }
             Op::ValueConst { .. }
             | Op::ValueMove { .. }
