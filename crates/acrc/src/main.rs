@@ -10,6 +10,7 @@ mod output;
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::{ContextKind, ErrorKind};
 
 use crate::exit::Exit;
 
@@ -20,7 +21,13 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
     // A usage error ends here with status 2, `--help` and `--version` with 0.
-    let arguments = cli::Arguments::parse();
+    let arguments = cli::Arguments::try_parse().unwrap_or_else(|mut error| {
+        if error.kind() == ErrorKind::ArgumentConflict {
+            // It would show one of the two as if it were needed.
+            error.remove(ContextKind::Usage);
+        }
+        error.exit()
+    });
     let result = commands::run(&arguments);
     exit::report(result, output::Terminal::error(arguments.color)).into()
 }

@@ -126,6 +126,22 @@ fn wrong_arguments_end_with_status_two() {
         assert_eq!(run.status, Some(2), "{arguments:?}\n{}\n{}", run.stdout, run.stderr);
         assert!(!run.stderr.is_empty(), "{arguments:?}");
     }
+    let run = bench.acrc(["lint", "--fix", "--diff"]).expect(2);
+    assert!(
+        run.stderr.contains("'--fix' cannot be used with '--diff'") && !run.stderr.contains("Usage"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn a_file_that_is_far_too_large_is_refused_unread() {
+    let bench = Bench::new();
+    let file = std::fs::File::create(bench.path("huge.8K")).expect("writable");
+    file.set_len((64 << 20) + 1).expect("a file with a hole");
+    let run = bench.acrc(["lint", "huge.8K"]).expect(2);
+    let expected = "error: `huge.8K` has 67108865 bytes: a program text of more than 64 MiB is not read\n";
+    assert_eq!(run.stderr, expected);
 }
 
 #[test]
