@@ -196,3 +196,27 @@ fn a_project_that_cannot_be_loaded_is_in_every_report() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stdout).contains("\"executionSuccessful\":false"));
 }
+
+#[test]
+fn what_is_no_baseline_is_told_in_plain_words() {
+    let bench = Bench::new();
+    bench.file("Prog0.8K", THREE);
+    for (text, expected) in [
+        ("hello", "line 1, column 1 is not as --write-baseline writes it"),
+        ("{\"version\":1}", "line 1, column 13 is not as --write-baseline writes it"),
+        ("{\"version\":9,\"other\":[]}", "it has version 9, and this is for version 1"),
+    ] {
+        bench.file("base.json", text);
+        let run = bench.acrc(["lint", "--baseline", "base.json"]).expect(2);
+        assert_eq!(run.stderr, format!("error: cannot read the baseline base.json: {expected}\n"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_name_cannot_reach_the_terminal() {
+    let bench = Bench::new();
+    bench.file("a\u{1b}[31m\n.8K", THREE);
+    let run = bench.acrc(["lint", "--format", "concise"]).expect(1);
+    assert!(!run.stdout.contains('\u{1b}') && run.stdout.lines().count() == 3, "{}", run.stdout);
+}

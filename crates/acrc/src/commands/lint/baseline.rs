@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use acrc_diagnostics::{Diagnostic, LineIndex};
-use anyhow::{Context as _, bail};
+use anyhow::{Context as _, anyhow, bail};
 use serde::{Deserialize, Serialize};
 
 use super::checked::Checked;
@@ -43,10 +43,17 @@ pub(super) struct Hidden {
     pub(super) repaired: usize,
 }
 
+/// What is read first: another version may have other members.
+#[derive(Deserialize)]
+struct Head {
+    version: u32,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Document {
-    version: u32,
+    #[serde(rename = "version")]
+    _version: u32,
     findings: Vec<Entry>,
 }
 
@@ -73,11 +80,16 @@ impl Baseline {
             bail!("the baseline {} does not exist; --write-baseline writes it", path.display());
         }
         let refuse = || format!("cannot read the baseline {}", path.display());
-        let text = std::fs::read_to_string(path).with_context(refuse)?;
-        let document: Document = serde_json::from_str(&text).with_context(refuse)?;
-        if document.version != VERSION {
-            bail!("{}: it has version {}, and this is for version {VERSION}", refuse(), document.version);
+        let bytes = std::fs::read(path).with_context(refuse)?;
+        let no_baseline = |error: serde_json::Error| {
+            let (line, column) = (error.line(), error.column());
+            anyhow!("{}: line {line}, column {column} is not as --write-baseline writes it", refuse())
+        };
+        let Head { version } = serde_json::from_slice(&bytes).map_err(no_baseline)?;
+        if version != VERSION {
+            bail!("{}: it has version {version}, and this is for version {VERSION}", refuse());
         }
+        let document: Document = serde_json::from_slice(&bytes).map_err(no_baseline)?;
         let mut baseline = Self::empty(path);
         for Entry { file, code, message, fingerprint, count } in document.findings {
             let entry = baseline.entries.entry(Key { file, code, fingerprint }).or_insert((message, 0));
