@@ -44,3 +44,8 @@ pub(crate) fn say(error: &anyhow::Error, terminal: Terminal) {
 pub(crate) fn warn(text: &str, terminal: Terminal) {
     tell(|err| writeln!(err, "{} {text}", terminal.warning_word("warning:")));
 }
+
+/// Says on standard error what is good to know.
+pub(crate) fn note(text: &str, terminal: Terminal) {
+    tell(|err| writeln!(err, "{} {text}", terminal.heading("note:")));
+}

@@ -153,20 +153,34 @@ impl LoadedProject {
         Project::new(db, files.collect(), self.model, self.config.clone())
     }
 
-    /// Patterns of `[lint]` that mean no file of the project, a sentence each: most are slips.
-    pub fn idle_lint_patterns(&self) -> Vec<String> {
-        self.idle(self.config.lint.patterns().map(|(glob, usage)| (glob, usage.to_string())))
+    /// Patterns of `[lint]` that mean neither a file of the project nor one of the `others`, a sentence each: most are
+    /// slips.
+    pub fn idle_lint_patterns(&self, others: &[Utf8PathBuf]) -> Vec<String> {
+        self.idle(self.config.lint.patterns().map(|(glob, usage)| (glob, usage.to_string())), others)
     }
 
-    /// Patterns of `[fmt]` that mean no file of the project, a sentence each.
-    pub fn idle_fmt_patterns(&self) -> Vec<String> {
-        self.idle(self.config.fmt.exclude.iter().map(|glob| (glob, "fmt.exclude".to_owned())))
+    /// Patterns of `[fmt]` that mean neither a file of the project nor one of the `others`, a sentence each.
+    pub fn idle_fmt_patterns(&self, others: &[Utf8PathBuf]) -> Vec<String> {
+        self.idle(self.config.fmt.exclude.iter().map(|glob| (glob, "fmt.exclude".to_owned())), others)
     }
 
-    fn idle<'g>(&self, patterns: impl Iterator<Item = (&'g FileGlob, String)>) -> Vec<String> {
+    /// The programs among those around an `acrc.toml` that are no part of the project.
+    pub fn strangers(&self, around: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
+        let own: BTreeSet<&Utf8Path> = self.files.iter().map(|file| file.path.as_path()).collect();
+        let mut others: Vec<_> = around.iter().filter(|path| !own.contains(path.as_path())).cloned().collect();
+        if !others.is_empty() {
+            // One file may be written in two ways.
+            let own: BTreeSet<Utf8PathBuf> = own.iter().map(|path| overlay::real(path)).collect();
+            others.retain(|path| !own.contains(&overlay::real(path)));
+        }
+        others
+    }
+
+    fn idle<'g>(&self, patterns: impl Iterator<Item = (&'g FileGlob, String)>, others: &[Utf8PathBuf]) -> Vec<String> {
         let (globs, keys): (Vec<&FileGlob>, Vec<String>) = patterns.unzip();
         let all = FileGlobs::new(globs.iter().copied()).unwrap_or_default();
-        let paths = self.files.iter().map(|file| self.config.lint.relative(file.path.as_str()));
+        let paths = self.files.iter().map(|file| &file.path).chain(others);
+        let paths = paths.map(|path| self.config.lint.relative(path.as_str()));
         let used: BTreeSet<usize> = paths.flat_map(|path| all.matching(path)).collect();
         let config = self.root.join(CONFIG_NAME);
         let idle = globs.iter().zip(keys).enumerate().filter(|(place, _)| !used.contains(place));

@@ -6,7 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use super::{Disk, FileKind, Files};
 
-/// The disk, but for one file. The file need not be there.
+/// The disk, but for one file. The file need not be there, nor its folder.
 #[derive(Clone, Debug)]
 pub struct Overlay {
     /// Without links, as far as the folders exist.
@@ -23,11 +23,22 @@ impl Overlay {
     fn covers(&self, path: &Utf8Path) -> bool {
         path.file_name() == self.real.file_name() && real(path) == self.real
     }
+
+    /// A folder that is not there yet, in which the file is going to be saved.
+    fn will_lie_in(&self, folder: &Utf8Path, error: &io::Error) -> bool {
+        error.kind() == io::ErrorKind::NotFound && self.real.starts_with(real(folder))
+    }
 }
 
 impl Files for Overlay {
     fn kind(&self, path: &Utf8Path) -> io::Result<FileKind> {
-        if self.covers(path) { Ok(FileKind::File { len: self.bytes.len() as u64 }) } else { Disk.kind(path) }
+        if self.covers(path) {
+            return Ok(FileKind::File { len: self.bytes.len() as u64 });
+        }
+        match Disk.kind(path) {
+            Err(error) if self.will_lie_in(path, &error) => Ok(FileKind::Directory),
+            result => result,
+        }
     }
 
     fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
@@ -35,7 +46,10 @@ impl Files for Overlay {
     }
 
     fn list(&self, directory: &Utf8Path) -> io::Result<Vec<String>> {
-        let mut names = Disk.list(directory)?;
+        let mut names = match Disk.list(directory) {
+            Err(error) if self.will_lie_in(directory, &error) => Vec::new(),
+            result => result?,
+        };
         if let Some(name) = self.real.file_name()
             && self.covers(&directory.join(name))
             && names.iter().all(|other| other != name)
@@ -50,13 +64,10 @@ impl Files for Overlay {
     }
 }
 
-/// The path without links. Of a file that is not there, that of its folder and its name.
+/// The path without links, as far as it is there.
 pub(super) fn real(path: &Utf8Path) -> Utf8PathBuf {
-    path.canonicalize_utf8().unwrap_or_else(|_| {
-        let folder = super::discover::here(path.parent().unwrap_or(Utf8Path::new("")));
-        match (folder.canonicalize_utf8(), path.file_name()) {
-            (Ok(folder), Some(name)) => folder.join(name),
-            _ => path.to_owned(),
-        }
+    path.canonicalize_utf8().unwrap_or_else(|_| match (path.parent(), path.file_name()) {
+        (Some(folder), Some(name)) => real(super::discover::here(folder)).join(name),
+        _ => path.to_owned(),
     })
 }

@@ -19,6 +19,9 @@ use crate::role::is_program_extension;
 pub struct Search {
     /// Paths for [`super::load`], in order.
     pub projects: Vec<Utf8PathBuf>,
+    /// By projects with an `acrc.toml`, as in `projects`: the programs beside it and below it that no other project is
+    /// nearer to. Some may be no part of it.
+    pub around: BTreeMap<Utf8PathBuf, Vec<Utf8PathBuf>>,
     /// Folders and files that could not be looked at.
     pub problems: Vec<LoadError>,
 }
@@ -44,16 +47,24 @@ pub fn search(path: &Utf8Path) -> Search {
     } else if is_project {
         search.projects.push(path.to_owned());
     }
-    let mut described: Vec<&Utf8Path> = has_config(path).then_some(root).into_iter().collect();
-    for (folder, found) in folders.iter().filter(|(folder, _)| !is_project || *folder != root) {
+    // Folders with an `acrc.toml`, and the paths of their projects.
+    let mut described: Vec<(&Utf8Path, Utf8PathBuf)> = Vec::new();
+    if has_config(path) {
+        described.extend(search.projects.first().map(|project| (root, project.clone())));
+    }
+    for (folder, found) in &folders {
         // A folder comes before what lies in it.
-        let belongs_to_other = described.iter().any(|outer| folder.starts_with(outer));
-        if found.config {
-            described.push(folder);
+        if found.config && !(is_project && *folder == root) {
+            described.push((folder, folder.clone()));
             search.projects.push(folder.clone());
-        } else if found.vendor && !belongs_to_other {
+        }
+        if let Some((_, project)) = described.iter().rfind(|(outer, _)| folder.starts_with(outer)) {
+            search.around.entry(project.clone()).or_default().extend(found.programs.iter().cloned());
+        } else if is_project && *folder == root {
+            // It is there already.
+        } else if found.vendor {
             search.projects.push(folder.clone());
-        } else if !belongs_to_other {
+        } else {
             search.projects.extend(found.programs.iter().cloned());
         }
     }

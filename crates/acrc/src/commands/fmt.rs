@@ -7,10 +7,10 @@ use acrc_syntax::SourceText;
 use anyhow::{anyhow, bail};
 
 use super::project::load;
-use super::targets::{Target, display};
+use super::targets::{Target, display, note_of_strangers};
 use super::{source_file, stdin, targets};
 use crate::cli::{ColorChoice, FmtArguments, Numbering};
-use crate::exit::{Exit, say, warn};
+use crate::exit::{Exit, note, say, warn};
 use crate::output::{Terminal, print, tell};
 
 pub(super) fn run(arguments: &FmtArguments, color: ColorChoice) -> anyhow::Result<Exit> {
@@ -80,7 +80,12 @@ impl Run<'_> {
         };
         let exclude = FileGlobs::new(&config.exclude).map_err(anyhow::Error::msg)?;
         if !self.arguments.quiet {
-            project.idle_fmt_patterns().iter().for_each(|line| warn(line, Terminal::error(self.color)));
+            let terminal = Terminal::error(self.color);
+            let strangers = target.strangers(project);
+            project.idle_fmt_patterns(&strangers).iter().for_each(|line| warn(line, terminal));
+            if let Some(line) = note_of_strangers(&strangers, &exclude, project) {
+                note(&line, terminal);
+            }
         }
         let mut formatted = Vec::with_capacity(texts.len());
         for ((file, text), meant) in project.files.iter().zip(texts).zip(target.meant(project)) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use acrc_analysis::project::{self, CONFIG_NAME, Disk, FileKind, Files, LoadedProject};
+use acrc_analysis::project::{self, CONFIG_NAME, Disk, FileGlobs, FileKind, Files, LoadedProject};
 use camino::{Utf8Path, Utf8PathBuf};
 
 use super::project::utf8;
@@ -15,17 +15,24 @@ pub(crate) struct Target {
     pub(crate) path: Utf8PathBuf,
     /// The files that are shown, without links; all of them when absent.
     only: Option<BTreeSet<PathBuf>>,
+    /// Programs around its `acrc.toml`; some may be no part of it.
+    around: Vec<Utf8PathBuf>,
 }
 
 impl Target {
     /// The whole project at a path.
     pub(crate) fn whole(path: Utf8PathBuf) -> Self {
-        Self { path, only: None }
+        Self { path, only: None, around: Vec::new() }
     }
 
     /// A single file of the project at a path.
     pub(crate) fn file(path: Utf8PathBuf, file: &Utf8Path) -> Self {
-        Self { path, only: Some(BTreeSet::from([real(file.as_std_path())])) }
+        Self { path, only: Some(BTreeSet::from([real(file.as_std_path())])), around: Vec::new() }
+    }
+
+    /// Programs around its `acrc.toml` that are no part of the project.
+    pub(crate) fn strangers(&self, project: &LoadedProject) -> Vec<Utf8PathBuf> {
+        project.strangers(&self.around)
     }
 
     /// Which files of the project are meant, in their order.
@@ -47,16 +54,19 @@ pub(crate) fn find(paths: &[PathBuf]) -> (Vec<Target>, Vec<anyhow::Error>) {
     let mut keys: Vec<PathBuf> = Vec::new();
     let mut problems = Vec::new();
     for path in paths {
-        for target in of_path(path, &mut problems) {
+        for mut target in of_path(path, &mut problems) {
             let key = target.key();
             let known = keys.iter().position(|other| *other == key).and_then(|place| targets.get_mut(place));
             match (known, target.only) {
                 (Some(Target { only: Some(known), .. }), Some(more)) => known.extend(more),
-                (Some(known), None) => known.only = None,
+                (Some(known), None) => {
+                    known.only = None;
+                    known.around.append(&mut target.around);
+                }
                 (Some(_), Some(_)) => {}
                 (None, only) => {
                     keys.push(key);
-                    targets.push(Target { path: target.path, only });
+                    targets.push(Target { path: target.path, only, around: target.around });
                 }
             }
         }
@@ -85,7 +95,30 @@ fn of_path(path: &Path, problems: &mut Vec<anyhow::Error>) -> Vec<Target> {
     }
     let search = project::search(path);
     problems.extend(search.problems.into_iter().map(anyhow::Error::from));
-    search.projects.into_iter().map(Target::whole).collect()
+    let mut around = search.around;
+    let target = |path| Target { around: around.remove(&path).unwrap_or_default(), ..Target::whole(path) };
+    search.projects.into_iter().map(target).collect()
+}
+
+/// What is said of programs that lie around an `acrc.toml` and are no part of the project. Those that a pattern of
+/// `exclude` means are passed over on purpose.
+pub(crate) fn note_of_strangers(
+    strangers: &[Utf8PathBuf],
+    exclude: &FileGlobs,
+    project: &LoadedProject,
+) -> Option<String> {
+    let lint = &project.config.lint;
+    let mut open = strangers.iter().filter(|path| exclude.matching(lint.relative(path.as_str())).is_empty());
+    let first = display(open.next()?);
+    let config = project.root.join(CONFIG_NAME);
+    Some(match open.count() + 1 {
+        1 => format!(
+            "1 program below `{config}` is no part of a project and is passed over, {first}: list it in `files`, name it, or `exclude` it"
+        ),
+        count => format!(
+            "{count} programs below `{config}` are no part of a project and are passed over, {first} first: list them in `files`, name them, or `exclude` them"
+        ),
+    })
 }
 
 /// The path without links, as far as it exists.

@@ -92,7 +92,38 @@ fn standard_input_takes_the_place_of_a_file() {
         String::from_utf8_lossy(&output.stdout),
         "<stdin>:3:2: advice[ACR103] nothing in program 0 jumps to the label `A`\n"
     );
+    let empty = Bench::new();
+    for name in ["Prog0.8K", "new/Prog0.8K", "new/deep/Prog0.8K", "new/lone.8K"] {
+        let output = empty
+            .feed(&["lint", "-", "--stdin-filename", name, "--format", "concise"], b"PROGRAM\nGOTO Nowhere\nENDP\n");
+        let report = String::from_utf8(output.stdout).expect("UTF-8");
+        assert!(report.starts_with(&format!("{name}:2:6: error[ACR101]")), "{name}: {report}");
+        assert_eq!(empty.feed(&["fmt", "-", "--stdin-filename", name], b"END\n").stdout, b"END\n", "{name}");
+    }
     for arguments in [&["lint", "-", "."][..], &["lint", "--stdin-filename", "x.8K"], &["lint", "-", "--watch"]] {
         assert_eq!(bench.feed(arguments, b"").status.code(), Some(2), "{arguments:?}");
     }
+}
+
+#[test]
+fn programs_that_belong_to_no_project_are_told() {
+    let bench = Bench::new();
+    bench.file("p/acrc.toml", "[project]\nfiles = [\"Prog0.8K\"]\n");
+    bench.file("p/Prog0.8K", "PROGRAM\nEND\nENDP\n");
+    bench.file("p/Prog1.8K", JUMP);
+    bench.file("p/old/Prog2.8K", JUMP);
+    bench.file("p/own/acrc.toml", "");
+    bench.file("p/own/Prog3.8K", "PROGRAM\nEND\nENDP\n");
+    let two = "note: 2 programs below `p/acrc.toml` are no part of a project and are passed over, p/Prog1.8K first: list them in \
+               `files`, name them, or `exclude` them\n";
+    for path in ["p", "."] {
+        assert_eq!(bench.acrc(["lint", path]).expect(0).stderr, two);
+        assert_eq!(bench.acrc(["fmt", path, "--check"]).expect(0).stderr, two);
+        assert_eq!(bench.acrc(["lint", path, "--quiet"]).expect(0).stderr, "");
+    }
+    bench.file("p/acrc.toml", "[project]\nfiles = [\"Prog0.8K\"]\n[lint]\nexclude = [\"old\"]\n");
+    let one = two.replace("2 programs", "1 program").replace("are no part", "is no part");
+    let one = one.replace("are passed over", "is passed over").replace("them", "it").replace(" first:", ":");
+    assert_eq!(bench.acrc(["lint", "p"]).expect(0).stderr, one, "a pattern of what is passed over is not idle");
+    assert_eq!(bench.acrc(["lint", "p/acrc.toml"]).expect(0).stderr.lines().count(), 1);
 }

@@ -3,9 +3,10 @@
 use acrc_analysis::project::{FileGlobs, LoadedProject, Selection};
 use acrc_analysis::{Database, Project, SourceFile as Input};
 use acrc_diagnostics::{Diagnostic, FileReport, SourceFile};
+use camino::Utf8PathBuf;
 
 use crate::cli::SelectionArguments;
-use crate::commands::targets::{Target, display};
+use crate::commands::targets::{Target, display, note_of_strangers};
 
 /// A project, its database and its findings.
 pub(super) struct Checked {
@@ -16,6 +17,8 @@ pub(super) struct Checked {
     pub(super) shown: Vec<bool>,
     /// The names under which they are shown.
     pub(super) names: Vec<String>,
+    /// Programs around its `acrc.toml` that are no part of it.
+    pub(super) strangers: Vec<Utf8PathBuf>,
     /// What was found in each.
     pub(super) found: Vec<Vec<Diagnostic>>,
 }
@@ -32,7 +35,8 @@ impl Checked {
         let is_excluded = |path: &str| !exclude.matching(lint.relative(path)).is_empty();
         let shown = target.meant(&project).into_iter().zip(&project.files);
         let shown = shown.map(|(meant, file)| meant && !is_excluded(file.path.as_str())).collect();
-        let mut checked = Self { shown, project, db, input, names, found: Vec::new() };
+        let strangers = target.strangers(&project);
+        let mut checked = Self { shown, project, db, input, names, strangers, found: Vec::new() };
         checked.take(acrc_lint::check_in_parallel(&checked.db, input));
         checked
     }
@@ -45,6 +49,17 @@ impl Checked {
     /// Takes over what was found in each file.
     pub(super) fn take(&mut self, found: Vec<(Input, Vec<Diagnostic>)>) {
         self.found = found.into_iter().map(|(_, findings)| findings).collect();
+    }
+
+    /// What is odd about the patterns of the project.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        self.project.idle_lint_patterns(&self.strangers)
+    }
+
+    /// What is passed over.
+    pub(super) fn note(&self) -> Option<String> {
+        let exclude = FileGlobs::new(&self.project.config.lint.exclude).unwrap_or_default();
+        note_of_strangers(&self.strangers, &exclude, &self.project)
     }
 
     /// The findings of the files that are shown.

@@ -24,7 +24,7 @@ use super::project::{inputs, load};
 use super::stdin;
 use super::targets::{self, display};
 use crate::cli::{ColorChoice, FailOn, LintArguments};
-use crate::exit::{Exit, say, warn};
+use crate::exit::{Exit, note, say, warn};
 use crate::output::{Terminal, print, refuse_clashes, tell};
 
 pub(super) fn run(arguments: &LintArguments, color: ColorChoice) -> anyhow::Result<Exit> {
@@ -229,8 +229,12 @@ impl<'a> Run<'a> {
     fn say_troubles(&self, color: ColorChoice) {
         let terminal = Terminal::error(color);
         if !self.arguments.output.quiet {
-            let idle = self.projects.iter().flat_map(|checked| checked.project.idle_lint_patterns());
-            idle.for_each(|line| warn(&line, terminal));
+            for checked in &self.projects {
+                checked.warnings().iter().for_each(|line| warn(line, terminal));
+                if let Some(line) = checked.note() {
+                    note(&line, terminal);
+                }
+            }
         }
         self.errors.iter().for_each(|error| say(error, terminal));
     }
