@@ -37,15 +37,21 @@ pub(crate) fn report(result: anyhow::Result<Exit>, terminal: Terminal) -> Exit {
 
 /// Says what went wrong on standard error.
 pub(crate) fn say(error: &anyhow::Error, terminal: Terminal) {
-    tell(|err| writeln!(err, "{} {error:#}", terminal.error_word("error:")));
+    tell(|err| writeln!(err, "{} {}", terminal.error_word("error:"), visible(&format!("{error:#}"))));
 }
 
 /// Says on standard error what is odd, and stops nothing.
 pub(crate) fn warn(text: &str, terminal: Terminal) {
-    tell(|err| writeln!(err, "{} {text}", terminal.warning_word("warning:")));
+    tell(|err| writeln!(err, "{} {}", terminal.warning_word("warning:"), visible(text)));
 }
 
 /// Says on standard error what is good to know.
 pub(crate) fn note(text: &str, terminal: Terminal) {
-    tell(|err| writeln!(err, "{} {text}", terminal.heading("note:")));
+    tell(|err| writeln!(err, "{} {}", terminal.heading("note:"), visible(text)));
+}
+
+/// A message may quote a file name or a file: a terminal shall not act on it.
+fn visible(text: &str) -> String {
+    let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    text.chars().map(|c| if is_obeyed(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

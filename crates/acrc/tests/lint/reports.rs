@@ -219,4 +219,6 @@ fn a_file_name_cannot_reach_the_terminal() {
     bench.file("a\u{1b}[31m\n.8K", THREE);
     let run = bench.acrc(["lint", "--format", "concise"]).expect(1);
     assert!(!run.stdout.contains('\u{1b}') && run.stdout.lines().count() == 3, "{}", run.stdout);
+    let run = bench.acrc(["lint", "gone\u{1b}[31m.8K"]).expect(2);
+    assert_eq!(run.stderr, "error: `gone\u{fffd}[31m.8K` does not exist\n");
 }
