@@ -170,8 +170,8 @@ impl LoadedProject {
         let mut others: Vec<_> = around.iter().filter(|path| !own.contains(path.as_path())).cloned().collect();
         if !others.is_empty() {
             // One file may be written in two ways.
-            let own: BTreeSet<Utf8PathBuf> = own.iter().map(|path| overlay::real(path)).collect();
-            others.retain(|path| !own.contains(&overlay::real(path)));
+            let mut seen: BTreeSet<Utf8PathBuf> = own.iter().map(|path| overlay::real(path)).collect();
+            others.retain(|path| seen.insert(overlay::real(path)));
         }
         others
     }

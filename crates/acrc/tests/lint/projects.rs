@@ -121,6 +121,7 @@ fn programs_that_belong_to_no_project_are_told() {
         assert_eq!(bench.acrc(["fmt", path, "--check"]).expect(0).stderr, two);
         assert_eq!(bench.acrc(["lint", path, "--quiet"]).expect(0).stderr, "");
     }
+    assert_eq!(bench.acrc(["lint", "p", "./p/"]).expect(0).stderr, two, "each is counted once");
     bench.file("p/acrc.toml", "[project]\nfiles = [\"Prog0.8K\"]\n[lint]\nexclude = [\"old\"]\n");
     let one = two.replace("2 programs", "1 program").replace("are no part", "is no part");
     let one = one.replace("are passed over", "is passed over").replace("them", "it").replace(" first:", ":");
