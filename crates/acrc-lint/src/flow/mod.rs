@@ -237,6 +237,11 @@ impl Flow {
         statements.iter().copied().filter(|statement| first(statement)).collect()
     }
 
+    /// Whether the subroutine that the GOSUB at statement `call` calls can return.
+    pub(crate) fn returns_from(&self, call: u32) -> bool {
+        self.returns(self.place(call))
+    }
+
     /// Whether the subroutine that the GOSUB at place `from` calls can return.
     fn returns(&self, from: u32) -> bool {
         self.forward.at(from).iter().any(|(to, via)| *via == Via::Call && is(&self.comes_back, *to))

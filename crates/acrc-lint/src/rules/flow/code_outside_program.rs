@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         enabled: true,
         what: "A file with PROGRAM .. ENDP defines a label outside of them, at a prompt; the first label of such a stretch \
                stands for it. Or moves, waits or loops follow directly behind an ENDP, with no change of the prompt \
-               between; the first of them stands for all.",
+               and no RUN between; the first of them stands for all.",
         why: "Without PROGRAM nothing is stored: each line is carried out once, when it is sent, motion included, and a \
               label means nothing at a prompt.",
         bad: "PROG0\nPROGRAM\nSET 32\nENDP\nPROG1\n_Watch\nINH 24\nCLR 32\nGOTO Watch",
@@ -75,14 +75,20 @@ fn goes_on_behind(before: &SectionIndex, index: &SectionIndex) -> bool {
 fn first_of_program(context: &Context<'_>, index: &SectionIndex) -> Option<u32> {
     const OF_PROGRAMS: [CommandId; 3] = [command::INH, command::RETURN, command::WHILE];
     let statements = context.tree().statements();
-    let is_of_program = |at: &u32| match statements.get(*at as usize).map(|statement| &statement.kind) {
+    let kind = |at: u32| statements.get(at as usize).map(|statement| &statement.kind);
+    let is_of_program = |at: &u32| match kind(*at) {
         Some(StatementKind::Command(command)) => {
             OF_PROGRAMS.contains(&command.id) || command.id.info().shape == Shape::Move
         }
         Some(StatementKind::For(_)) => true,
         _ => false,
     };
-    index.section.statements.clone().find(is_of_program)
+    // What follows a RUN is typed on purpose, while the program runs.
+    let starts_one = |at: &u32| match kind(*at) {
+        Some(StatementKind::Command(command)) => [command::RUN, command::LRUN].contains(&command.id),
+        _ => false,
+    };
+    index.section.statements.clone().take_while(|at| !starts_one(at)).find(is_of_program)
 }
 
 /// An ENDP without PROGRAM is reported by itself.
@@ -116,6 +122,7 @@ mod tests {
         assert_eq!(found("SET 32\nX10\nINH -516"), ["X10"]);
         assert_eq!(found("WHILE (BIT 5)\nWEND"), ["WHILE (BIT 5)"]);
         assert_eq!(found("VEL 20 : SET 32\nRUN PROG0\nGOTO Loop"), [""; 0]);
+        assert_eq!(found("RUN\nINH -516\nX10"), [""; 0], "typed while the program runs");
         assert_eq!(found("SYS\nPROG0\nX10"), [""; 0], "a new start");
     }
 

@@ -16,7 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         what: "A program moves an axis, and nothing in the project enables its drive: neither DRIVE ON nor its enable \
                flag (8465 + 32 * axis). Where the project enables no drive at all it is advice, as a host or an operator may \
                do it, or the drives may be wired to be always on: for each axis whose drive hands its signals to the \
-               controller, otherwise once a project, at its first motion of an axis with an ATTACH AXIS. Axes with \
+               controller (a warning again where PBOOT starts the program, and nobody is asked), otherwise once a project, at its first motion of an axis with an ATTACH AXIS. Axes with \
                step outputs are left out.",
         why: "The profile runs while the motor has no power: the following error grows until the axis is killed, and \
               the program waits for a motion that never happens.",
@@ -42,7 +42,9 @@ fn check(context: &mut Context<'_>) {
             let (axis, verb) = (axis_name(context, &motion), verb(&motion));
             let message = format!("{axis} {verb}, but nothing in the project enables its drive");
             let help = format!("enable it before it moves: DRIVE ON {}", context.slice(motion.span));
-            let severity = if others { Severity::Warning } else { Severity::Advice };
+            // What starts by itself at power-up waits for nobody who could enable the drive.
+            let is_certain = others || machine.does_at(Deed::Boot, motion.level);
+            let severity = if is_certain { Severity::Warning } else { Severity::Advice };
             context.report(Diagnostic { severity, ..RULE.at(motion.span, message).with_help(help) });
         }
     }
@@ -113,6 +115,9 @@ mod tests {
         let found = lint(&[("test.8K", &text)]).concat();
         let own: Vec<_> = found.iter().filter(|found| found.code.id == "ACR505").collect();
         assert_eq!(own.iter().map(|found| found.severity).collect::<Vec<_>>(), [Severity::Advice]);
+        let found = lint(&[("test.8K", &text.replace("PROGRAM\n", "PROGRAM\nPBOOT\n"))]).concat();
+        let own = found.iter().find(|found| found.code.id == "ACR505");
+        assert_eq!(own.map(|found| found.severity), Some(Severity::Warning));
     }
 
     #[test]

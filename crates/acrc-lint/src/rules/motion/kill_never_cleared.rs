@@ -2,7 +2,7 @@
 
 use acrc_analysis::{Deed, SectionIndex, walk};
 use acrc_catalog::{OperandClass, command};
-use acrc_diagnostics::{Code, Severity, Span};
+use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Statement, StatementKind};
 
 use super::{axis_name, first_motions_of_attached, straight};
@@ -20,7 +20,8 @@ pub(crate) static RULE: Rule = Rule {
         what: "An axis that programs move has hardware limits, or the response to an excess of following error, \
                switched on; and nothing in the project clears its kill request (8467 + 32 * axis), in words or by a \
                DRIVE ON in a program. Where a condition of a program looks whether the axis was killed, a DRIVE ON \
-               before the first label and loop of that program does not count: it is not executed again.",
+               before the first label and loop of that program does not count: it is not executed again. It is a warning where \
+               that condition calls a subroutine which returns: the program goes on as if the axis could move again.",
         why: "A limit sets the kill request of the axis and of all axes of its master. Every motion is refused until \
               somebody clears it, and then Kill All Moves of the master: without a program that does so the machine \
               stands until a person at a terminal sends Ctrl-Y.",
@@ -79,8 +80,12 @@ fn check_recovery(context: &mut Context<'_>, section: &SectionIndex) {
         .map(|(_, axis)| axis)
         .collect();
     let mut told = Vec::new();
-    let looks: Vec<_> = again.iter().flat_map(|statement| looks_at(context, statement)).collect();
-    for (axis, span) in looks {
+    let first = section.section.statements.start + start as u32;
+    let looks: Vec<_> = (first..)
+        .zip(again)
+        .flat_map(|(at, statement)| looks_at(context, statement).into_iter().map(move |look| (at, look)))
+        .collect();
+    for (at, (axis, span)) in looks {
         let mut enabling = machine.programs_enabling(axis);
         let only_here = enabling.next().is_some_and(|first| first == level) && enabling.all(|other| other == level);
         let moves = context.motions().iter().any(|motion| motion.axis == axis && motion.level == level);
@@ -88,10 +93,18 @@ fn check_recovery(context: &mut Context<'_>, section: &SectionIndex) {
             !machine.never(Deed::KillCleared, axis) || enabled.iter().any(|on| on.is_none_or(|on| on == axis));
         if moves && only_here && !is_cleared && !told.contains(&axis) {
             told.push(axis);
+            let goes_on = calls_and_goes_on(context, section, at);
             let message = format!("the program looks whether AXIS{axis} was killed, and nothing sets it free again");
-            context.report(RULE.at(span, message).with_help(help(axis)));
+            let severity = if goes_on { Severity::Warning } else { Severity::Advice };
+            context.report(Diagnostic { severity, ..RULE.at(span, message).with_help(help(axis)) });
         }
     }
+}
+
+/// Whether an IF calls a subroutine that can return: the program goes on as if the axis could move again.
+fn calls_and_goes_on(context: &mut Context<'_>, section: &SectionIndex, at: u32) -> bool {
+    let call = section.jumps.iter().find(|jump| jump.call && jump.statement == at + 1);
+    call.is_some_and(|call| context.flow(section).is_some_and(|flow| flow.returns_from(call.statement)))
 }
 
 /// Whether what stands behind a statement may be executed again.
@@ -119,7 +132,9 @@ fn looks_at(context: &Context<'_>, statement: &Statement) -> Vec<(u32, Span)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::spans_of;
+    use acrc_diagnostics::Severity;
+
+    use crate::testing::{found_by, spans_of};
 
     fn found(setup: &str, program: &str) -> Vec<String> {
         let text = format!(
@@ -147,11 +162,27 @@ mod tests {
             spans_of("ACR511", &text).into_iter().map(str::to_owned).collect::<Vec<_>>()
         };
         assert_eq!(look("PBOOT", "CLR 16132", ""), ["BIT 8467"]);
+        assert_eq!(look("PBOOT", "GOTO A", ""), ["BIT 8467"]);
         assert_eq!(look("PBOOT", "CLR 8467", ""), [""; 0]);
         assert_eq!(look("PBOOT", "DRIVE ON X", ""), [""; 0]);
         assert_eq!(look("_Start", "CLR 16132", ""), [""; 0], "it may be executed again");
         assert_eq!(look("PBOOT", "CLR 16132", "PROG1\nPROGRAM\nDRIVE ON AXIS0\nENDP\n"), [""; 0], "another program");
         assert_eq!(look("PBOOT", "CLR 16132", "PROG1\nPROGRAM\nRUN PROG0\nENDP\n"), [""; 0], "it is started again");
+    }
+
+    #[test]
+    fn a_program_that_goes_on_is_warned() {
+        let text = |then: &str| {
+            format!(
+                "AXIS0 PPU 1000\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nHLIM X3\nPROGRAM\nPBOOT\nDRIVE ON \
+                 X\n_A\nX10\nIF (BIT 8467) THEN {then}\nGOTO A\n_B\nPRINT \"killed\"\nRETURN\n_C\nPRINT \"killed\"\nEND\nENDP\n"
+            )
+        };
+        for (then, severity) in
+            [("GOSUB B", Severity::Warning), ("GOSUB C", Severity::Advice), ("GOTO C", Severity::Advice)]
+        {
+            assert_eq!(found_by("ACR511", &text(then))[0].severity, severity, "{then}");
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! `ACR316`: two nodes of the CANopen network with one ID.
+//! `ACR316`: two nodes of the fieldbus `CANopen` with one ID.
 
 use acrc_analysis::{SectionIndex, walk};
 use acrc_catalog::OperandClass;
