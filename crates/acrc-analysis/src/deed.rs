@@ -179,11 +179,8 @@ const PROGRAM_STATE: [&str; 2] = ["program_running", "run_request"];
 /// The settings that the parameters of a master hold; which parameter holds which is not known.
 const OF_MASTERS: [Deed; 3] = [Deed::Velocity, Deed::Acceleration, Deed::StopRamp];
 
-/// Below are user parameters, which do nothing.
-pub(crate) const FIRST_SYSTEM_PARAMETER: u64 = 4096;
 /// Below are inputs, outputs and the first user flags, which do nothing by themselves.
 pub(crate) const FIRST_SYSTEM_FLAG: u64 = 512;
-const FLAGS_PER_PARAMETER: u64 = 32;
 
 /// A deed of a command with what it is done to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -276,8 +273,8 @@ fn of_flag(number: u64, how: WriteKind) -> Vec<(Deed, u32)> {
 fn of_parameter(number: u64) -> Vec<(Deed, u32)> {
     let Ok(number) = u32::try_from(number) else { return Vec::new() };
     if acrc_catalog::flag_words(number).is_some() {
-        let first = u64::from(number).saturating_sub(FIRST_SYSTEM_PARAMETER) * FLAGS_PER_PARAMETER;
-        return (first..first + FLAGS_PER_PARAMETER).flat_map(|flag| of_flag(flag, WriteKind::Assign)).collect();
+        let flags = acrc_catalog::flags_in(number).map(u64::from);
+        return flags.flat_map(|flag| of_flag(flag, WriteKind::Assign)).collect();
     }
     let info = acrc_catalog::parameter(number);
     let Some(object) = info.object_index else { return Vec::new() };

@@ -8,9 +8,6 @@ use acrc_syntax::units::Level;
 use crate::index::{AliasTarget, AttachmentKind, Effects, Exports, WriteKind};
 use crate::symbols::Symbols;
 
-/// The wizard has limits for this many axes.
-const AXES: u32 = 16;
-
 /// What the files of a project use by number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Usage {
@@ -129,7 +126,7 @@ pub(crate) fn is_user_flag(class: OperandClass, number: u32) -> bool {
 /// Whether the parameters hold the positive and the negative travel limit of some axis.
 fn has_both_limits(parameters: &[u32]) -> bool {
     let (positive, negative) = (law::WIZARD_SOFT_EOT_POS, law::WIZARD_SOFT_EOT_NEG);
-    (0..AXES).any(|axis| [positive, negative].iter().all(|limit| parameters.contains(&limit.at(axis))))
+    (0..positive.count()).any(|axis| [positive, negative].iter().all(|limit| parameters.contains(&limit.at(axis))))
 }
 
 /// Whether the wizard of firmware up to 1.18.14 saves code for limits and drive faults as this program (guide, "Resources

@@ -193,6 +193,13 @@ fn every_row_is_reached_at_both_ends() {
     }
 }
 
+#[test]
+fn the_flags_in_a_word() {
+    assert_eq!(acrc_catalog::flags_in(4361), 8480..8512);
+    assert_eq!(acrc_catalog::flags_in(4095), 0..0);
+    assert_eq!(acrc_catalog::flags_in(6144), 0..0);
+}
+
 proptest! {
     #[test]
     fn a_flag_and_its_word_agree(number in 0_u32..20_000) {

@@ -57,8 +57,7 @@ impl Reference {
 impl Variable {
     /// Whether it is a user parameter. What is written to the others may move something.
     pub(crate) fn is_user_parameter(self) -> bool {
-        const USER_PARAMETERS: u64 = 4096;
-        self.class == OperandClass::Parameter && self.number < USER_PARAMETERS
+        self.class == OperandClass::Parameter && self.number < u64::from(acrc_catalog::FIRST_FLAG_WORD)
     }
 
     /// The variable that `expr` is, by its number or through an alias.

@@ -194,7 +194,7 @@ impl<'a> Collector<'a> {
 
     fn written(&mut self, level: Level, class: OperandClass, index: &Expr, how: WriteKind) {
         let first = match class {
-            OperandClass::Parameter => deed::FIRST_SYSTEM_PARAMETER,
+            OperandClass::Parameter => u64::from(acrc_catalog::FIRST_FLAG_WORD),
             OperandClass::Bit => deed::FIRST_SYSTEM_FLAG,
             _ => return,
         };

@@ -4,8 +4,8 @@ use super::{Known, candidates, owner};
 use crate::generated::{BIT_FIELDS, BITS, BITS_BY_GROUP, FLAG_WORDS};
 use crate::{Access, AddressLaw, BitKind, Confidence, Space};
 
-/// The parameter that holds flags 0-31.
-const FIRST_WORD: u32 = 4096;
+/// The parameter that holds flags 0-31. Below are user parameters, which do nothing.
+pub const FIRST_FLAG_WORD: u32 = 4096;
 /// Flags in one word.
 const WORD_BITS: u32 = 32;
 /// Words that parameters 4096-6143 can hold.
@@ -109,7 +109,7 @@ impl BitInfo {
 
 /// What a flag number stands for. Where two rows hold it, the one with fewer numbers wins.
 pub fn bit(number: u32) -> BitInfo {
-    let word = (number / WORD_BITS < WORDS).then_some(FIRST_WORD + number / WORD_BITS);
+    let word = (number / WORD_BITS < WORDS).then_some(FIRST_FLAG_WORD + number / WORD_BITS);
     let words = word.and_then(flag_words);
     let group = words.filter(|words| words.object != Space::Unknown);
     let mut info = BitInfo {
@@ -156,6 +156,12 @@ pub fn bit(number: u32) -> BitInfo {
 /// The run of flag words that holds a parameter.
 pub fn flag_words(parameter: u32) -> Option<&'static FlagWords> {
     FLAG_WORDS.iter().find(|words| words.law.place(parameter).is_some())
+}
+
+/// The flags that a parameter holds; none for one that is no flag word.
+pub fn flags_in(parameter: u32) -> std::ops::Range<u32> {
+    let word = parameter.checked_sub(FIRST_FLAG_WORD).filter(|word| *word < WORDS);
+    word.map_or(0..0, |word| word * WORD_BITS..(word + 1) * WORD_BITS)
 }
 
 /// The number of a flag for an object, across the rows of the field: `bit_number("kill_all_motion_request", 1)` is 8499.

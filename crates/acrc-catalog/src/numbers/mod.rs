@@ -5,7 +5,9 @@ use crate::Space;
 mod bits;
 mod parameters;
 
-pub use bits::{BitInfo, BitRow, FlagWords, all_bits, all_flag_words, bit, bit_number, flag_words};
+pub use bits::{
+    BitInfo, BitRow, FIRST_FLAG_WORD, FlagWords, all_bits, all_flag_words, bit, bit_number, flag_words, flags_in,
+};
 pub use parameters::{
     ParameterBlock, ParameterInfo, ParameterRow, all_parameter_blocks, all_parameters, parameter, parameter_number,
 };

@@ -29,7 +29,8 @@ fn check(context: &mut Context<'_>) {
     for motion in first_motions_of_attached(context, &[Deed::Jog, Deed::Home]) {
         if context.machine().never(Deed::JogVelocity, motion.axis) {
             let (axis, verb) = (axis_name(context, &motion), verb(&motion));
-            let message = format!("{axis} {verb}, but nothing in the project sets its jog velocity");
+            let message =
+                format!("{axis} {verb}, but nothing in the project sets its jog velocity to anything but zero");
             let help = format!("set it before: JOG VEL {} value, in units/s", context.slice(motion.span));
             context.report(RULE.at(motion.span, message).with_help(help));
         }
