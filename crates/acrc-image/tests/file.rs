@@ -68,19 +68,6 @@ proptest! {
     }
 
     #[test]
-    fn changes_under_a_right_checksum_do_no_harm(changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
-        let mut bytes = sample().to_bytes().expect("small enough");
-        for (place, value) in changes {
-            let place = 16 + place.index(bytes.len() - 16);
-            bytes[place] = value;
-        }
-        seal(&mut bytes);
-        if let Ok(image) = Image::from_bytes(&bytes) {
-            prop_assert!(image.to_bytes().is_ok());
-        }
-    }
-
-    #[test]
     fn random_bytes_do_no_harm(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
         prop_assert!(Image::from_bytes(&bytes).is_err());
     }
