@@ -11,7 +11,7 @@ mod watch;
 use common::{Bench, Run};
 
 /// An unused label, a jump to nowhere, a size without parentheses.
-const THREE: &str = "PROG0\nPROGRAM\n_A\nGOTO Nowhere\nCLEAR : DIM LV10\nENDP\n";
+const THREE: &str = "PROG0\nPROGRAM\n_A\nGOTO Nowhere\nCLEAR : DIM LV10\nPRINT LV0\nENDP\n";
 
 /// The codes of a concise report, each with its file and line.
 fn codes(run: &Run) -> Vec<String> {

@@ -90,10 +90,10 @@ fn what_cannot_be_written_is_named_and_the_rest_is_written() {
 #[test]
 fn only_what_is_named_and_heard_is_repaired() {
     let bench = Bench::new();
-    bench.file("Prog0.8K", "PROGRAM\nCLEAR : DIM LV10\nSET 32 REM x\nENDP\n");
+    bench.file("Prog0.8K", "PROGRAM\nCLEAR : DIM LV10\nPRINT LV0\nSET 32 REM x\nENDP\n");
     bench.file("Prog1.8K", "PROGRAM\nCLEAR : DIM LV10\nENDP\n");
     assert_eq!(lint(&bench, &["Prog0.8K", "--fix", "--ignore", "ACR003"]), [""; 0]);
-    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nCLEAR : DIM LV(10)\nSET 32 REM x\nENDP\n");
+    assert_eq!(bench.read("Prog0.8K"), b"PROGRAM\nCLEAR : DIM LV(10)\nPRINT LV0\nSET 32 REM x\nENDP\n");
     assert_eq!(bench.read("Prog1.8K"), b"PROGRAM\nCLEAR : DIM LV10\nENDP\n");
 }
 
