@@ -19,7 +19,8 @@ pub(crate) static RULE: Rule = Rule {
         enabled: true,
         what: "A DIM LV, DV, SV or $V makes room for variables of which the program uses none, or less than half. A round \
                number (5, 10, 20) of which some are used is room to grow, and left alone. Programs whose whole text stands \
-               in the file of the DIM are judged, and classes of which no variable is chosen by a computed number. Arrays, which other commands fill, are left alone.",
+               in the file of the DIM are judged, and classes of which no variable is chosen by a computed number. Arrays, which \
+               other commands fill, and a lone piece of code are left alone.",
         why: "The memory is taken from the program, and a variable that nobody uses is often one that was meant somewhere.",
         bad: "PROG0\nPROGRAM\nCLEAR\nDIM LV(3)\nLV0 = P4096\nPRINT LV0\nENDP",
         good: "PROG0\nPROGRAM\nCLEAR\nDIM LV(1)\nLV0 = P4096\nPRINT LV0\nENDP",
@@ -32,6 +33,9 @@ pub(crate) static RULE: Rule = Rule {
 const ROUND: u64 = 5;
 
 fn check(context: &mut Context<'_>) {
+    if context.environment().fragment {
+        return;
+    }
     let dims = dims(context);
     let mut levels: Vec<Level> = dims.iter().map(|(level, ..)| *level).collect();
     levels.sort_unstable();
@@ -59,6 +63,10 @@ fn dims<'a>(context: &Context<'a>) -> Vec<(Level, OperandClass, u64, &'a Dim)> {
         let range = section.section.statements.start as usize..section.section.statements.end as usize;
         for statement in statements.get(range).unwrap_or_default() {
             let StatementKind::Dim(dim) = &statement.kind else { continue };
+            // `DIM LV10` may mean another number, and is a finding of its own.
+            if !dim.parenthesised {
+                continue;
+            }
             let class = local_class(dim.id).filter(|class| !class.is_array());
             if let (Some(class), Some(count)) = (class, dim.sizes.first().and_then(walk::whole)) {
                 found.push((section.section.level, class, count, dim));
