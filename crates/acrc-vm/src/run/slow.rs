@@ -1,7 +1,7 @@
 //! Instructions that need the whole machine: calls of the host, memory, strings, variables by computed numbers.
 
-use super::{Meter, Stop};
 use super::calls::{self, Files};
+use super::{Meter, Stop};
 use crate::code::Code;
 use crate::fault::FaultKind;
 use crate::frame::Frame;

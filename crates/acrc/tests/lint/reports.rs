@@ -87,7 +87,10 @@ fn a_baseline_hides_what_was_there() {
 #[test]
 fn statistics_count_by_rule() {
     let bench = Bench::new();
-    bench.file("three.8K", THREE.replace("CLEAR : DIM LV10\n", "CLEAR : DIM LV10\nDIM SV20\nPRINT SV0\nGOTO Gone\nGOTO Gone\n"));
+    bench.file(
+        "three.8K",
+        THREE.replace("CLEAR : DIM LV10\n", "CLEAR : DIM LV10\nDIM SV20\nPRINT SV0\nGOTO Gone\nGOTO Gone\n"),
+    );
     let run = bench.acrc(["lint", "three.8K", "--statistics"]).expect(1);
     let table = "3  ACR101  error    [ ]  undefined-label\n\
                  2  ACR007  warning  [*]  dim-without-parentheses\n\
