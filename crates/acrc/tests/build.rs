@@ -166,6 +166,20 @@ fn some_programs_can_be_listed_alone() {
 }
 
 #[test]
+fn a_text_that_is_replaced_says_so() {
+    let bench = Bench::new();
+    bench.file("machine.8K", "PROG0\nPROGRAM\nSET 32\nENDP\nRUN\n20 CLR 32\n");
+    insta::assert_snapshot!(bench.list("").expect(0).stdout, @r"
+    ' PROG0 - 8 bytes, replaced by a text below
+    SET 32
+
+    ' PROG0 - 24 bytes
+    SET 32
+    20 CLR 32
+    ");
+}
+
+#[test]
 fn a_protected_image_lists_with_its_password_only() {
     let bench = bench();
     let open = bench.list("").expect(0).stdout;

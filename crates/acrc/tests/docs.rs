@@ -87,3 +87,20 @@ fn hooks_and_pages_call_what_there_is() {
         assert!(!run.stderr.contains("Usage:"), "{command}: {}", run.stderr);
     }
 }
+
+#[test]
+fn the_page_about_building_shows_what_is_written() {
+    let text = document("docs/build.md");
+    let bench = Bench::new();
+    bench.file("press.8K", blocks(&text, "basic").concat());
+    let outputs = ["-o", "press.acrx", "--listing", "press.lst", "--map", "press.map"];
+    bench.acrc(["build", "press.8K"].into_iter().chain(outputs)).expect(0);
+    let written = |name| String::from_utf8(bench.read(name)).expect("text");
+    for (block, shown) in [
+        ("listing", written("press.lst")),
+        ("map", written("press.map")),
+        ("list", bench.acrc(["list", "press.acrx", "--annotate"]).expect(0).stdout),
+    ] {
+        assert_eq!(blocks(&text, block).concat(), shown, "docs/build.md shows another {block}");
+    }
+}

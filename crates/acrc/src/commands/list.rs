@@ -13,13 +13,10 @@ pub(super) fn run(arguments: &ListArguments) -> anyhow::Result<Exit> {
     let bytes = std::fs::read(&arguments.image).with_context(|| format!("cannot read {path}"))?;
     let image = Image::from_bytes(&bytes).with_context(|| format!("{path} is no image that can be listed"))?;
     let damaged = || format!("{path} is damaged");
-    if let Some(password) = image.password().with_context(damaged)?
-        && arguments.password.as_ref() != Some(&password)
-    {
-        match arguments.password {
-            None => bail!("{path} is protected by PASSWORD: its programs are listed with --password only"),
-            Some(_) => bail!("{path} is protected by another password"),
-        }
+    match (image.password().with_context(damaged)?, &arguments.password) {
+        (Some(_), None) => bail!("{path} is protected by PASSWORD: its programs are listed with --password only"),
+        (Some(password), Some(given)) if password != *given => bail!("{path} is protected by another password"),
+        _ => {}
     }
     let wanted = |name: &UnitName| arguments.programs.is_empty() || arguments.programs.contains(name);
     let units: Vec<_> = image.programs.iter().filter(|unit| wanted(&unit.name)).collect();
@@ -31,9 +28,11 @@ pub(super) fn run(arguments: &ListArguments) -> anyhow::Result<Exit> {
     let listings = units.iter().map(|unit| Ok((unit, write(unit, &image.aliases, &options)?)));
     let listings = listings.collect::<anyhow::Result<Vec<_>>>().with_context(damaged)?;
     print(|out| {
-        for (index, (unit, text)) in listings.iter().enumerate() {
-            let gap = if index == 0 { "" } else { "\n" };
-            write!(out, "{gap}' {} - {} bytes\n{text}", unit.name, unit.memory())?;
+        for (place, (unit, text)) in listings.iter().enumerate() {
+            let gap = if place == 0 { "" } else { "\n" };
+            let replaced = listings.iter().skip(place + 1).any(|(later, _)| later.name == unit.name);
+            let fate = if replaced { ", replaced by a text below" } else { "" };
+            write!(out, "{gap}' {} - {} bytes{fate}\n{text}", unit.name, unit.memory())?;
         }
         Ok(())
     })?;
