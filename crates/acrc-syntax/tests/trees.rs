@@ -44,7 +44,7 @@ tree!(
 tree!(axis_lists, "DRIVE ON X Y\nDRIVE ON AXIS1 AXIS2\nDRIVE OFF X Y5\nDRIVE X\nJOG FWD AXIS0");
 tree!(
     prefixes,
-    "AXIS0 PPU 4 AXIS1 PPU 5\nAXIS3 JOG INC 5\nAXIS0 SLM (24,0)\nAXIS7 OFF\nMASTER0 VEL500\nENC 0 RES\nENC0 SRC 0\nADC MODE 1\nDAC0 GAIN 3276.8"
+    "AXIS0 PPU 4 AXIS1 PPU 5\nAXIS0 PPU Ratio\nAXIS3 JOG INC 5\nAXIS0 SLM (24,0)\nAXIS7 OFF\nMASTER0 VEL500\nENC 0 RES\nENC0 SRC 0\nADC MODE 1\nDAC0 GAIN 3276.8"
 );
 tree!(
     sources,
@@ -54,7 +54,7 @@ tree!(
     flags,
     "SET 32\nSET BIT32\nSET BIT(32)\nSET Ready\nCLR (P0)\nINH -516\nINH -Ready\nINH +5\nTRG (2, 1)\nINT -24 X100"
 );
-tree!(ladder, "LD 5 AND 6 OUT 32\nLD NOT 5 OR BIT 7 AND LD OR NOT 8\nTIM 0 100 CNT 1, 5\nKR 3");
+tree!(ladder, "LD 5 AND 6 OUT 32\nLD NOT 5 OR BIT 7 AND LD OR NOT 8\nTIM 0 100 CNT 1, 5\nTIM 0 Preset\nKR 3");
 tree!(parameters_with_values, "IHPOS P12290 (100, 5)\nIHPOS -P12290 (Height, 0)\nMASK P4097 (1, 2)");
 tree!(
     attachments,

@@ -141,14 +141,18 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    /// The arguments of a shape without a grammar of its own.
-    pub(super) fn arguments(&mut self, row: &Row) -> Read<Vec<Argument>> {
+    /// The arguments of a shape without a grammar of its own. `prefixed`: an object stands before the command.
+    pub(super) fn arguments(&mut self, row: &Row, prefixed: bool) -> Read<Vec<Argument>> {
         if row.shape == Shape::Value && self.peek().kind == TokenKind::Equal {
             return Ok(vec![Argument::Value(self.value_behind_equals(row)?)]);
         }
         let mut rules = rules(row.shape);
         if rules.names == Names::Either && !row.takes_axes {
             rules.names = Names::Alias;
+        }
+        // Behind an object the value stands alone: `AXIS0 PPU Ratio`.
+        if rules.names == Names::Axis && rules.values > 0 && prefixed {
+            rules.names = Names::Either;
         }
         self.arguments_by(&rules)
     }
@@ -256,9 +260,9 @@ impl Reader<'_> {
         let is_axis = match rules.names {
             Names::Statement => return Ok(None),
             Names::Alias => false,
-            Names::Axis if !short && !seen.is_first() => return Ok(None),
-            // Behind an object the value stands alone: `AXIS0 PPU Ratio`.
-            Names::Axis | Names::Either => short,
+            Names::Axis if !short => return Ok(None),
+            Names::Axis => true,
+            Names::Either => short,
         };
         if is_axis {
             return self.axis(rules, token, seen.is_first());

@@ -57,7 +57,7 @@ impl Reader<'_> {
     }
 
     fn with_arguments(&mut self, prefix: Option<Object>, id: CommandId, name: Span) -> Read<StatementKind> {
-        let arguments = self.arguments_of(id.info())?;
+        let arguments = self.arguments_of(id.info(), prefix.is_some())?;
         let prefix = prefix.map(Box::new);
         Ok(StatementKind::Command(Box::new(Command { prefix, id, name, arguments })))
     }
@@ -121,7 +121,7 @@ impl Reader<'_> {
     }
 
     /// Arguments by the shape of the row.
-    fn arguments_of(&mut self, row: &Row) -> Read<Vec<Argument>> {
+    fn arguments_of(&mut self, row: &Row, prefixed: bool) -> Read<Vec<Argument>> {
         match row.shape {
             Shape::Condition => Ok(vec![self.condition()?]),
             Shape::Target => self.target(),
@@ -130,7 +130,7 @@ impl Reader<'_> {
             Shape::ParameterTuple => self.parameter_tuple(),
             Shape::Open => self.open(),
             Shape::Close => self.close_device(),
-            _ => self.arguments(row),
+            _ => self.arguments(row, prefixed),
         }
     }
 
