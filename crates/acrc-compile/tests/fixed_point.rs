@@ -4,6 +4,7 @@ mod common;
 
 use acrc_image::list::{ListOptions, list_annotated};
 use acrc_image::{UnitName, encode};
+use acrc_syntax::units::Level;
 use common::{compile_file, listing, program};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -132,6 +133,23 @@ fn line() -> impl Strategy<Value = String> {
     prop_oneof![6 => chain, 2 => one_line_if, 1 => opener, 1 => closer, 1 => remark, 1 => Just("'dropped".to_owned()), 1 => Just(String::new())]
 }
 
+/// Contacts and coils of a PLC program, side by side or not.
+fn rungs() -> impl Strategy<Value = String> {
+    let contact = (
+        select(vec!["LD", "LD NOT", "AND", "AND NOT", "OR", "or not", "OUT", "OUT NOT", "KR"]),
+        select(vec!["24", "BIT 24", "BIT25", "Flag", "BIT(LV0 + 1)", "(P0)", "(P0 AND 3)"]),
+    )
+        .prop_map(|(word, flag)| format!("{word} {flag}"));
+    let timer = (select(vec!["TIM", "CNT"]), select(vec!["0 100", "1, 5", "0 (P1)", "2 Speed"]))
+        .prop_map(|(word, values)| format!("{word} {values}"));
+    let joined = select(vec!["AND LD", "OR LD", "END", "SET 32", "P0 = P1 + 1 :", "IF (Flag) THEN CLR 33"])
+        .prop_map(str::to_owned);
+    let statement = prop_oneof![6 => contact, 1 => timer, 2 => joined];
+    let gap = select(vec![" ", " : ", "\n", "\n' a comment\n"]);
+    proptest::collection::vec((statement, gap), 1..12)
+        .prop_map(|statements| statements.into_iter().map(|(statement, gap)| statement + gap).collect())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -154,5 +172,20 @@ proptest! {
         let instructions = again.decode().expect("compiled units decode");
         let encoded = encode(UnitName::Program(0), &instructions).expect("decoded statements are valid");
         prop_assert_eq!((encoded.words, encoded.strings), (again.words, again.strings));
+    }
+
+    #[test]
+    fn a_listing_of_a_plc_program_compiles_to_the_same_words(rungs in rungs()) {
+        let source = format!("#DEFINE Speed P7\n#DEFINE Flag BIT128\n{rungs}\n");
+        let compiled = |text: &str| {
+            let image = compile_file(text, Level::Plc(0), true)
+                .map_err(|errors| TestCaseError::fail(format!("{text}\n{errors:?}")))?;
+            let unit = image.programs.last().expect("a stored text").clone();
+            Ok::<_, TestCaseError>((listing(&unit, &image), unit))
+        };
+        let (listed, unit) = compiled(&source)?;
+        let (listed_again, again) = compiled(&listed)?;
+        prop_assert_eq!((&again.words, &again.strings), (&unit.words, &unit.strings), "{}\n--- listed\n{}", source, listed);
+        prop_assert_eq!(listed_again, listed);
     }
 }
