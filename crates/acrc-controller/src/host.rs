@@ -23,17 +23,16 @@ impl Host for Context<'_> {
         written
     }
 
+    #[inline]
     fn user(&mut self, number: u16) -> Result<f64, FaultKind> {
-        match self.machine.memory.user(usize::from(number)) {
-            Some(value) => Ok(value),
-            None => self.parameter(i64::from(number))?.to_f64(),
-        }
+        self.machine.memory.user(usize::from(number)).ok_or_else(|| self.no_user(number))
     }
 
+    #[inline]
     fn set_user(&mut self, number: u16, value: f64) -> Result<(), FaultKind> {
         match self.machine.memory.user_mut(usize::from(number)) {
             Some(place) => *place = value,
-            None => self.set_parameter(i64::from(number), &Value::Double(value))?,
+            None => return Err(self.no_user(number)),
         }
         Ok(())
     }
@@ -57,6 +56,8 @@ impl Host for Context<'_> {
     }
 
     /// A generator of its own for each run, so that a run can be repeated: splitmix64.
+    // Out of line, so that the loop that asks for a number stays small.
+    #[inline(never)]
     fn random(&mut self, below: u32) -> u32 {
         self.machine.random = self.machine.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut mixed = self.machine.random;
@@ -92,6 +93,12 @@ fn is_user(number: i64) -> bool {
 }
 
 impl Context<'_> {
+    /// The fault of a user variable that has no memory.
+    #[cold]
+    fn no_user(&self, number: u16) -> FaultKind {
+        self.machine.outside_user(i64::from(number)).into()
+    }
+
     /// Moves time on to the slice of the present line.
     pub(crate) fn catch_up(&mut self) {
         self.machine.skip_to(self.pace.tick());

@@ -83,6 +83,11 @@ impl Program {
         self.state = State::Running;
     }
 
+    /// It waits for a time, or for something that has not happened since: `changes` counts what could.
+    pub(crate) fn waits(&self, changes: u64) -> bool {
+        self.state == State::Waiting && (self.release.is_some() || self.waited_at == changes)
+    }
+
     /// Stops it for good.
     pub(crate) fn stop(&mut self, state: State) {
         self.release = None;

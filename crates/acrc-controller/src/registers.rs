@@ -201,7 +201,7 @@ impl Machine {
         Ok(())
     }
 
-    fn outside_user(&self, number: i64) -> ControllerError {
+    pub(crate) fn outside_user(&self, number: i64) -> ControllerError {
         ControllerError::UserParameter { number, count: self.memory.user_count() }
     }
 }

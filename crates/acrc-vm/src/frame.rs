@@ -30,7 +30,7 @@ pub(crate) struct LoopState {
     pub(crate) step: f64,
     /// The largest whole number up to `end`, for a long counter.
     pub(crate) end_long: i64,
-    /// `step` for a long counter.
+    /// `step` for a long counter, 0 when the loop does not run.
     pub(crate) step_long: i64,
 }
 

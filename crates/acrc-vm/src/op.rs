@@ -44,6 +44,35 @@ impl Relation {
     }
 }
 
+/// Longs from the first to the last: whether another one is in any relation to a constant is whether it lies within a
+/// range or outside of it, which takes one comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct LongRange {
+    first: i32,
+    /// How far the last one is from the first.
+    span: u32,
+}
+
+impl LongRange {
+    /// The range for `x relation value`, and whether `x` has to lie inside of it.
+    pub(crate) const fn new(relation: Relation, value: i32) -> (Self, bool) {
+        let below = value.wrapping_sub(i32::MIN) as u32;
+        match relation {
+            Relation::EQUAL => (Self { first: value, span: 0 }, true),
+            Relation::NOT_EQUAL => (Self { first: value, span: 0 }, false),
+            Relation::LESS_OR_EQUAL => (Self { first: i32::MIN, span: below }, true),
+            Relation::GREATER => (Self { first: i32::MIN, span: below }, false),
+            Relation::GREATER_OR_EQUAL => (Self { first: value, span: u32::MAX - below }, true),
+            _ => (Self { first: value, span: u32::MAX - below }, false),
+        }
+    }
+
+    #[inline]
+    pub(crate) const fn contains(self, value: i32) -> bool {
+        value.wrapping_sub(self.first) as u32 <= self.span
+    }
+}
+
 /// Integer operators that are not in the fast set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LongOperator {
@@ -205,7 +234,7 @@ pub(crate) enum Op {
     /// Jumps when a long is zero.
     JumpUnless { from: Slot, target: u32 },
     JumpUnlessLong { relation: Relation, left: Slot, right: Slot, target: u32 },
-    JumpUnlessLongConst { relation: Relation, left: Slot, value: i32, target: u32 },
+    JumpUnlessLongConst { range: LongRange, inside: bool, left: Slot, target: u32 },
     /// `IF (n MOD divisor = value)`, the usual way to do something in every so manieth pass.
     JumpUnlessRem { relation: Relation, left: Slot, divisor: i32, value: i32, target: u32 },
     JumpUnlessDouble { relation: Relation, left: Slot, right: Slot, target: u32 },
@@ -232,6 +261,9 @@ pub(crate) enum Op {
     Clear,
     Call { index: u32 },
 }
+
+// The size of an instruction is felt in every loop.
+const _: () = assert!(size_of::<Step>() <= 24);
 
 impl Op {
     /// Where it jumps to, for jumps.

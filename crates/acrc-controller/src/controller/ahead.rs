@@ -6,7 +6,7 @@
 //! a run does and when is the same to the tick.
 
 use super::{Controller, Observer};
-use crate::program::{Program, State};
+use crate::scheduler::HIGH_PROGRAMS;
 
 /// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
 pub(crate) const LINES_PER_SLICE: u32 = 4;
@@ -89,23 +89,16 @@ impl Controller {
             if other == number {
                 continue;
             }
-            match waiting(program, self.changes) {
-                // The low programs share a slice: they pass it on, or wait together.
-                Some(release) if number.max(other) < crate::scheduler::HIGH_PROGRAMS => {
-                    until = release.map_or(until, |release| release.min(until));
-                    awaited |= release.is_none();
-                }
-                _ => return here,
+            // The low programs share a slice: they pass it on, or wait together.
+            let high = number.max(other) < HIGH_PROGRAMS;
+            if !high || !program.waits(self.changes) {
+                return here;
             }
+            until = program.release.map_or(until, |release| release.min(until));
+            awaited |= program.release.is_none();
         }
         let stride = ring * self.machine.clock.slice_ticks();
         let slices = until.saturating_sub(now).div_ceil(stride).min(LONGEST);
         if slices < 2 { here } else { Pace { stride, slices: slices as u32, awaited, ..here } }
     }
-}
-
-/// The tick to which a program waits, `Some(None)` when it waits for something to happen. `None` when it does not wait.
-fn waiting(program: &Program, changes: u64) -> Option<Option<u64>> {
-    let waits = program.state == State::Waiting && (program.release.is_some() || program.waited_at == changes);
-    waits.then_some(program.release)
 }

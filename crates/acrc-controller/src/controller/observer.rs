@@ -14,7 +14,8 @@ pub trait Observer {
     fn event(&mut self, seconds: f64, event: &WorldEvent, view: &View);
     /// A tick is over: the machine has moved and a program has had its slice. The first one is at time zero.
     fn tick(&mut self, view: &View);
-    /// Whether [`Observer::tick`] is to be called for ticks in which nothing happens, too. Without, an hour of waiting costs no time.
+    /// Whether [`Observer::tick`] is to be called for every tick. Without, those in which nothing moves and at most one
+    /// program computes may be left out, and an hour of waiting costs no time.
     fn watches_every_tick(&self) -> bool {
         true
     }

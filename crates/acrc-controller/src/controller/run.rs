@@ -108,11 +108,8 @@ impl Controller {
     fn quiet_until(&self, end: u64) -> Option<u64> {
         let boot_waits =
             self.boot.done || self.boot.waiting && (self.boot.release.is_some() || self.boot.waited_at == self.changes);
-        let waits = |program: &Program| {
-            !program.state.is_active()
-                || program.state == State::Waiting && (program.release.is_some() || program.waited_at == self.changes)
-        };
-        if self.machine.in_motion() || !boot_waits || !self.programs.iter().all(waits) {
+        let quiet = |program: &Program| !program.state.is_active() || program.waits(self.changes);
+        if self.machine.in_motion() || !boot_waits || !self.programs.iter().all(quiet) {
             return None;
         }
         let releases =

@@ -9,6 +9,16 @@ use crate::support::{Ran, Sim, TWO_AXES};
 /// Programs of a project: 0 and 8 have an axis each, 8 and 9 share a slice.
 const PROGRAMS: [u8; 4] = [0, 1, 8, 9];
 
+/// Programs that compute: they run ahead of their slices when nobody else would notice.
+const LOOPS: &[&str] = &[
+    "FOR P1 = 1 TO 40\nP2 = P2 + P1\nNEXT",
+    "FOR P3 = 1 TO 400 : P2 = P2 + 1 : NEXT",
+    "FOR P4 = 1 TO 9\nPRINT P6916, P2\nP2 = P2 * 0.5\nNEXT",
+    "FOR P5 = 1 TO 30\nBIT 140 = NOT BIT 140\nIF (BIT 3) THEN BREAK\nNEXT",
+    "P6 = P6916\nWHILE (P6916 < P6 + 50)\nP2 = P2 + 1\nWEND",
+    "FOR P7 = 1 TO 50\nP2 = P2 + RND(9)\nIF (P7 = 33) THEN P38912 = P7 : PRINT 1 / (P2 MOD 2)\nNEXT",
+];
+
 fn program() -> impl Strategy<Value = u8> {
     select(&PROGRAMS)
 }
@@ -24,6 +34,7 @@ fn statement(axis: Option<&'static str>) -> BoxedStrategy<String> {
         3 => program().prop_map(|program| format!("INH -{}", 1024 + 32 * u32::from(program))),
         4 => (program(), select(&["RUN", "RUN", "PAUSE", "RESUME", "HALT"]))
             .prop_map(|(program, word)| format!("{word} PROG{program}")),
+        4 => select(LOOPS).prop_map(str::to_owned),
         1 => select(&["SET 520", "SET 521", "SET 523", "CLR 522", "MASTER1 FOV 0.5", "MASTER1 FOV 2"]).prop_map(str::to_owned),
     ];
     let Some(axis) = axis else { return quiet.boxed() };
@@ -86,8 +97,22 @@ fn shown(ran: &Ran) -> String {
     )
 }
 
+#[test]
+fn a_program_that_runs_ahead_shows_the_same_as_slices() {
+    for body in LOOPS {
+        for second in ["END", "DWL 0.02\nPRINT P2", "INH -140\nPRINT P2"] {
+            let text = format!("{TWO_AXES}PROGRAM\n{body}\n{body}\nENDP\nPROG1\nPROGRAM\n{second}\nENDP\n");
+            for until in [0.0, 0.0075, 0.041, 60.0] {
+                let world = "[[event]]\nat = \"35.5ms\"\nset = [3]\n";
+                let run = |watched| Sim::new(&text).start(&[0, 1]).world(world).until(until).watched(watched).run();
+                assert_eq!(shown(&run(true)), shown(&run(false)), "{text} until {until}");
+            }
+        }
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn a_jump_shows_the_same_to_those_who_watch(text in project(), world in events(), until in 0.0..4.0_f64) {

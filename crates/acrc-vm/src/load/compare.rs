@@ -13,7 +13,7 @@ use super::place::{Kind, Place};
 use super::{Jump, Loader, Scratch};
 use crate::code::Real;
 use crate::fault::FaultKind;
-use crate::op::{Op, Relation, SCRATCH, Slot, Step};
+use crate::op::{LongRange, Op, Relation, SCRATCH, Slot, Step};
 
 /// The operands of a relation, brought to one file.
 enum Operands {
@@ -126,7 +126,10 @@ impl Loader<'_> {
             Operands::Long(left, right) => Op::JumpUnlessLong { relation, left, right, target },
             Operands::LongConst(left, value) => match self.take_remainder(left) {
                 Some((left, divisor)) => Op::JumpUnlessRem { relation, left, divisor, value, target },
-                None => Op::JumpUnlessLongConst { relation, left, value, target },
+                None => {
+                    let (range, inside) = LongRange::new(relation, value);
+                    Op::JumpUnlessLongConst { range, inside, left, target }
+                }
             },
             Operands::Double(left, right) => Op::JumpUnlessDouble { relation, left, right, target },
             Operands::Real(left, index) => {

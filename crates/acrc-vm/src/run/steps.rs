@@ -178,10 +178,10 @@ pub(super) fn steps<H: Host>(
                 pc = target as usize;
                 // The usual condition of a loop is decided here, which spares a dispatch in each pass.
                 if let Some(step) = steps.get(pc)
-                    && let Op::JumpUnlessLongConst { relation, left: variable, value, target } = step.op
+                    && let Op::JumpUnlessLongConst { range, inside, left, target } = step.op
                 {
                     begin!(step.begins);
-                    pc = if relation.holds(&long!(variable), &value) { pc + 1 } else { target as usize };
+                    pc = if range.contains(long!(left)) == inside { pc + 1 } else { target as usize };
                 }
                 continue;
             }
@@ -197,8 +197,8 @@ pub(super) fn steps<H: Host>(
                     continue;
                 }
             }
-            Op::JumpUnlessLongConst { relation, left, value, target } => {
-                if !relation.holds(&long!(left), &value) {
+            Op::JumpUnlessLongConst { range, inside, left, target } => {
+                if range.contains(long!(left)) != inside {
                     pc = target as usize;
                     continue;
                 }
@@ -256,7 +256,7 @@ pub(super) fn steps<H: Host>(
                 if let Some(state) = frame.loops.get_mut(usize::from(index))
                     && i64::from(long!(counter)) > state.end_long
                 {
-                    state.step = 0.0;
+                    state.step_long = 0;
                     pc = target as usize;
                     continue;
                 }
@@ -284,10 +284,10 @@ pub(super) fn steps<H: Host>(
             }
             Op::LoopNextLong { index, counter, target } => {
                 let next = match frame.loops.get_mut(usize::from(index)) {
-                    Some(state) if state.step != 0.0 => {
+                    Some(state) if state.step_long != 0 => {
                         let next = i64::from(long!(counter)) + state.step_long;
                         if next > state.end_long {
-                            state.step = 0.0;
+                            state.step_long = 0;
                         } else {
                             pc = target as usize;
                             set_long!(counter, next as i32);
