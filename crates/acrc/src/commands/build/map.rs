@@ -10,7 +10,7 @@ use serde::Serialize;
 /// The version of the JSON form. It grows when a field changes its meaning or goes.
 const VERSION: u32 = 1;
 
-/// Places in the source, taken before they are stripped: of each unit, its lines and labels.
+/// What the bytes of each unit go to, and where its lines and labels stand in the source; worked out before these places are stripped.
 pub(super) struct Places(Vec<UnitPlaces>);
 
 struct UnitPlaces {
@@ -30,13 +30,13 @@ struct LinePlace {
     source: Option<Place>,
 }
 
-#[derive(Clone, Serialize)]
+#[derive(Serialize)]
 struct Place {
     file: String,
     line: u32,
 }
 
-#[derive(Clone, Serialize)]
+#[derive(Serialize)]
 struct Label {
     name: String,
     address: u32,
