@@ -20,6 +20,8 @@ pub struct Frame {
     pub(crate) arguments: Vec<Arg>,
     /// The present call has to be offered again.
     pub(crate) held: bool,
+    /// Bytes that the calls of another frame on the same variables take.
+    pub(crate) reserved: u64,
 }
 
 /// The numbers of a running `FOR`.
@@ -53,6 +55,12 @@ impl Frame {
         Self::default()
     }
 
+    /// At the start of a statement that is typed while a program stands at `program`: the calls of both share the memory
+    /// of the program, everything else is apart.
+    pub fn beside(program: &Self) -> Self {
+        Self { reserved: program.memory(), ..Self::default() }
+    }
+
     /// Back to the start of the program, or to the start of another.
     pub fn reset(&mut self) {
         self.pc = 0;
@@ -73,7 +81,7 @@ impl Frame {
 
     /// Bytes of program memory that the open calls take.
     pub fn memory(&self) -> u64 {
-        memory::CALLS.bytes(self.calls.len() as u64, 0)
+        self.reserved + memory::CALLS.bytes(self.calls.len() as u64, 0)
     }
 
     /// True when a call has to be offered again.

@@ -8,6 +8,13 @@
 //! State is split by its owner, so that a controller can run any mixture of programs, immediate statements and PLC
 //! programs: [`Code`] is immutable, [`Frame`] says how far a run has come, [`Locals`] are the variables of a program.
 //!
+//! - One line or one statement at a time: [`Budget::lines`] or [`Budget::statements`] of 1. A line that was begun ends
+//!   with its line, wherever in it the run starts. [`Host::statement`] tells the places on the way.
+//! - A statement that is typed at a program's prompt is code of its own and runs with [`Frame::beside`] the program's
+//!   frame on the program's [`Locals`].
+//! - Text that is edited gives new [`Code`]; [`Frame::reset`] takes it up, the [`Locals`] stay.
+//! - [`Locals::image`] and [`Locals::restore`] keep variables beyond a run.
+//!
 //! ```
 //! # use acrc_catalog::{OperandClass, UnaryOperator, command};
 //! # use acrc_image::{Node, Separator, UnitBuilder, UnitName};
@@ -71,7 +78,7 @@ pub use frame::Frame;
 pub use functions::AngleUnit;
 pub use host::{Arg, ArgValue, Call, Host, Outcome, Reference, Source};
 pub use load::{LoadError, LoadErrorKind, LoadOptions};
-pub use locals::{Dimension, Locals};
+pub use locals::{Dimension, Locals, LocalsImage, RestoreError, TextsImage};
 pub use own::executes;
 pub use run::{Budget, Run, Stop, run};
 pub use text::Text;

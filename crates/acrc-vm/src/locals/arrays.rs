@@ -58,6 +58,13 @@ impl<T: Clone + Default> Arrays<T> {
         self.dimensioned = true;
     }
 
+    /// References with the elements that each of them has. `None` leaves the class without memory.
+    pub(crate) fn restore<I>(&mut self, arrays: Option<Vec<Option<I>>>, block: impl Fn(I) -> Block<T>) {
+        self.dimensioned = arrays.is_some();
+        let arrays = arrays.unwrap_or_default().into_iter();
+        self.arrays = arrays.map(|array| array.map(&block).unwrap_or_default()).collect();
+    }
+
     /// The block of an array that `DIM` may still give elements to.
     pub(crate) fn undimensioned(&mut self, array: i64) -> Result<&mut Block<T>, FaultKind> {
         let (class, arrays) = (self.class, self.arrays.len() as u32);

@@ -6,6 +6,7 @@
 mod access;
 mod arrays;
 mod dimension;
+mod image;
 
 use acrc_catalog::OperandClass;
 
@@ -13,6 +14,7 @@ pub(crate) use access::round_to_single;
 pub(crate) use arrays::{Arrays, Block, place};
 pub use dimension::Dimension;
 pub(crate) use dimension::{DimBlock, Sizes};
+pub use image::{LocalsImage, RestoreError, TextsImage};
 
 use crate::op::{SCRATCH, Slot};
 use crate::text::Text;

@@ -41,7 +41,7 @@ impl Budget {
         Self { units, extent: Self::STATEMENTS_PER_LINE - 1 }
     }
 
-    /// A number of statements.
+    /// A number of statements, wherever they stand.
     pub const fn statements(statements: u32) -> Self {
         Self { units: statements, extent: 0 }
     }

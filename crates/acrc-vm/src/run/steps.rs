@@ -31,7 +31,7 @@ pub(super) fn steps<H: Host>(
     host: &mut H,
     meter: &mut Meter,
 ) -> Result<Exit, FaultKind> {
-    let (limit, used) = (locals.limit(), locals.used());
+    let (limit, used) = (locals.limit(), locals.used() + frame.reserved);
     let longs = locals.longs.as_mut_slice();
     let doubles = locals.doubles.as_mut_slice();
     let steps = &*code.steps;
