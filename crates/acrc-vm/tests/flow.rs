@@ -286,3 +286,75 @@ fn every_statement_is_reported_before_it_runs() {
     assert_eq!(places, [(1, 1), (1, 2), (2, 1), (3, 1)]);
     assert_eq!(machine.code.locations().len(), 5);
 }
+
+#[test]
+fn conditions_with_constants_hold_as_their_values_say() {
+    let numbers = [i32::MIN, i32::MIN + 1, -1, 0, 1, 7, i32::MAX - 1, i32::MAX];
+    for relation in ["=", "<>", "<", "<=", ">", ">="] {
+        for constant in numbers {
+            // The same relation as a value, as a condition, as that of a loop, and with the constant in front.
+            let mut program = String::from("DIM LV(2)\n");
+            for number in numbers {
+                program.push_str(&format!(
+                    "LV0 = {number}\nLV1 = LV0 {relation} {constant}\nIF (LV0 {relation} {constant})\nLV1 = LV1 + 1\nENDIF\n\
+                     IF (LV0 - 1 + 1 {relation} {constant}) THEN LV1 = LV1 + 10\nIF (LV1 <> 0 AND LV1 <> 10) THEN PRINT LV0\n\
+                     LV1 = (LV0 {relation} {constant}) * 2\nWHILE (LV0 {relation} {constant})\nLV1 = LV1 + 1\n\
+                     IF (LV1 = 0) THEN BREAK\nWEND\nIF (LV1 <> 0) THEN PRINT LV0; LV1\n"
+                ));
+            }
+            assert_eq!(output(&program), "", "{relation} {constant}");
+        }
+    }
+}
+
+#[test]
+fn a_remainder_may_decide() {
+    let every = "DIM LV(1)\nFOR LV0 = -7 TO 7\nIF (LV0 MOD 3 = 0) THEN PRINT LV0; \" \";\nNEXT";
+    assert_eq!(output(every), "-6 -3 0 3 6 ");
+    let ranked = "DIM LV(1)\nFOR LV0 = -3 TO 3\nIF (1 > LV0 MOD 2)\nPRINT LV0; \" \";\nENDIF\nNEXT";
+    assert_eq!(output(ranked), "-3 -2 -1 0 2 ");
+    let loops = "DIM LV(1)\nWHILE (LV0 MOD 70000 < 9)\nLV0 = LV0 + 1\nWEND\nPRINT LV0";
+    assert_eq!(output(loops), "9\r\n");
+    assert_eq!(output("DIM LV(1)\nIF (LV0 MOD 0 = 1) THEN PRINT 1"), "division by zero [line 2, statement 1]");
+    assert_eq!(
+        output("IF (LV3 MOD 2 = 1) THEN PRINT 1"),
+        "LV3 has no memory: no DIM LV was executed [line 1, statement 1]"
+    );
+}
+
+#[test]
+fn a_fault_of_a_loop_stands_at_its_condition() {
+    // The condition fails when it is decided from its WEND.
+    let program = "DIM LV(1)\nWHILE (LV0 < 3)\nLV0 = LV0 + 1 : CLEAR\nWEND";
+    assert_eq!(output(program), "LV0 has no memory: no DIM LV was executed [line 2, statement 1]");
+    let program = "DIM DV(1)\nGOSUB Sub\nEND\n_Sub\nFOR DV0 = 1 TO 3\nIF (DV0 = 2)\nDV0 = 3 : DV0 = 1 / (DV0 - 3)\nENDIF\nNEXT\nRETURN";
+    assert_eq!(output(program), "division by zero [line 7, statement 2]");
+}
+
+#[test]
+fn blocks_nest_as_deeply_as_they_are_written() {
+    for (open, close) in [("IF (1)", "ENDIF"), ("WHILE (P1 = 0)", "WEND"), ("FOR P0 = 1 TO 1", "NEXT")] {
+        let program = format!(
+            "{}P1 = 1 : P2 = P2 + 1\n{}PRINT P2",
+            format!("{open}\n").repeat(200),
+            format!("{close}\n").repeat(200)
+        );
+        assert_eq!(output(&program), "1\r\n", "{open}");
+    }
+}
+
+#[test]
+fn text_behind_a_label_of_digits_and_a_line_of_that_number_is_told_apart() {
+    assert_eq!(output("GOTO 20\n_20\nPRINT \"label\"\nEND\n20 PRINT \"line\""), "line\r\n");
+    assert_eq!(output("GOSUB 30 : PRINT \"back\"\nEND\n30 PRINT \"line\" : RETURN"), "line\r\nback\r\n");
+    assert_eq!(output("10 P0 = 1\n20 GOSUB 99"), "there is no line 99 [line 2, statement 1]");
+}
+
+#[test]
+fn variables_are_dimensioned_while_a_program_runs() {
+    let program = "DIM LV(2)\nLV1 = 3\nDIM DA(LV1 - 1)\nDIM DA(1)";
+    assert_eq!(output(program), "Re-dimensioned block [line 4, statement 1]");
+    let program = "DIM LV(2)\nLV1 = 3\nDIM DA(2)\nDIM DA0(LV1) : DIM DA1(DA0(2) + 1)\nDA1(0) = 1.5\nPRINT DA1(0)\nCLEAR\n\
+                   DIM LV(9) : LV8 = 4 : PRINT LV8\nDA0(0) = 1";
+    assert_eq!(output(program), "1.5\r\n4\r\nDA0 has no memory: no DIM DA was executed [line 9, statement 1]");
+}
