@@ -58,6 +58,8 @@ pub struct CommandRow {
     pub tuple: [u8; 2],
     #[serde(default)]
     pub bare_axis: bool,
+    #[serde(default)]
+    pub setting: bool,
     pub levels: Vec<String>,
     #[serde(default)]
     pub report: String,
@@ -210,12 +212,26 @@ pub struct NumberRow {
     pub kind: Option<String>,
     pub access: Option<String>,
     pub range: Option<[i32; 2]>,
+    pub command: Option<String>,
+    pub part: Option<u8>,
+    #[serde(default)]
+    pub default: DefaultRow,
     #[serde(default)]
     pub unit: String,
     #[serde(default)]
     pub note: String,
     pub source: String,
     pub confidence: String,
+}
+
+/// Values at power-up: none stated, one for every object, or one for each.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(untagged)]
+pub enum DefaultRow {
+    #[default]
+    None,
+    All(f64),
+    Each(Vec<f64>),
 }
 
 fn one() -> u32 {
@@ -349,6 +365,29 @@ pub struct CostRow {
     pub note: String,
     pub source: String,
     pub confidence: String,
+}
+
+impl DefaultRow {
+    /// The values; none, one for every object, or one for each.
+    pub fn values(&self) -> &[f64] {
+        match self {
+            Self::None => &[],
+            Self::All(value) => std::slice::from_ref(value),
+            Self::Each(values) => values,
+        }
+    }
+}
+
+impl ArgumentRow {
+    /// The value of the default text where that is a number, which a remark in parentheses may follow.
+    pub fn default_value(&self) -> Option<f64> {
+        self.default.split(" (").next()?.parse().ok()
+    }
+
+    /// Left out, it is the first value with its sign turned.
+    pub fn is_opposite(&self) -> bool {
+        self.default == "-value1"
+    }
 }
 
 impl NumberRow {

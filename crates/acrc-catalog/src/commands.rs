@@ -64,6 +64,8 @@ pub struct Command {
     pub tuple_max: u8,
     /// An axis may stand without a value: for a report, or for the default.
     pub bare_axis: bool,
+    /// It sets a value that stays until it is set again, reports it when the value is left out, and starts nothing.
+    pub setting: bool,
     /// Where it is accepted. Behind an object prefix such as `AXIS0` the levels of the prefix apply.
     pub levels: Levels,
     /// What it reports at a prompt when its arguments are left out; empty for nothing.
@@ -87,7 +89,7 @@ pub struct Command {
 }
 
 /// An argument of a command. Empty texts stand for nothing known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Argument {
     /// Its name in the signature.
     pub name: &'static str,
@@ -99,6 +101,10 @@ pub struct Argument {
     pub range: &'static str,
     /// Value with factory settings, or when it is left out.
     pub default: &'static str,
+    /// The same as a number, where it is one.
+    pub default_value: Option<f64>,
+    /// Left out, it is the first argument with its sign turned: `EXC X 2` is `EXC X (2, -2)`.
+    pub opposite: bool,
 }
 
 /// Every command, in the order of the operation codes.

@@ -5,7 +5,7 @@
 use crate::{
     Access, AddressLaw, Argument, BitKind, BitRow, Command, CommandId, Confidence, FlagWords, Function, FunctionId,
     Keyword, Law, Levels, Message, MessageId, Model, ObjectKind, Operand, OperandClass, Operator, OperatorInfo,
-    ParameterBlock, ParameterRow, Shape, Space, TypeClass, UnaryOperator, ValueType, Word, hash::PerfectHash,
+    ParameterBlock, ParameterRow, SetBy, Shape, Space, TypeClass, UnaryOperator, ValueType, Word, hash::PerfectHash,
 };
 
 include!(concat!(env!("OUT_DIR"), "/tables.rs"));

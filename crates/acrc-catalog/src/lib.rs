@@ -47,7 +47,7 @@ pub use functions::{Function, FunctionId, all_functions};
 pub use messages::{Message, MessageId, all_messages};
 pub use models::{Model, default_model, model, models};
 pub use numbers::{
-    BitInfo, BitRow, FIRST_FLAG_WORD, FlagWords, Known, ParameterBlock, ParameterInfo, ParameterRow, all_bits,
+    BitInfo, BitRow, FIRST_FLAG_WORD, FlagWords, Known, ParameterBlock, ParameterInfo, ParameterRow, SetBy, all_bits,
     all_flag_words, all_parameter_blocks, all_parameters, bit, bit_number, flag_words, flags_in, parameter,
     parameter_number,
 };

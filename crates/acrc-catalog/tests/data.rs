@@ -18,7 +18,7 @@ use std::path::Path;
 
 use catalogue::check::check;
 use catalogue::read::read;
-use catalogue::rows::{Catalogue, CommandRow, NumberRow};
+use catalogue::rows::{Catalogue, CommandRow, DefaultRow, NumberRow};
 
 fn data() -> Catalogue {
     read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("data")).expect("the data files can be read")
@@ -91,6 +91,18 @@ const NUMBER_FAULTS: &[Case] = &[
     ("overlapping words", |all| all.words[0].count = 2),
 ];
 
+const LINK_FAULTS: &[Case] = &[
+    ("an unknown command", |all| number(&mut all.parameters, "pgain").command = Some("PGIAN".to_owned())),
+    ("a command that is no setting", |all| command(all, "PGAIN").setting = false),
+    ("a command of another object", |all| number(&mut all.parameters, "dac_gain").command = Some("PGAIN".to_owned())),
+    ("a part too many", |all| number(&mut all.parameters, "exc_minus").part = Some(2)),
+    ("a part that is missing", |all| number(&mut all.parameters, "exc_minus").part = None),
+    ("a part of nothing", |all| number(&mut all.parameters, "velocity").part = Some(0)),
+    ("a part taken twice", |all| number(&mut all.parameters, "exc_minus").part = Some(0)),
+    ("a default beside a command", |all| number(&mut all.parameters, "pgain").default = DefaultRow::All(1.0)),
+    ("too few defaults", |all| number(&mut all.parameters, "node_id").default = DefaultRow::Each(vec![1.0, 0.0])),
+];
+
 const OTHER_FAULTS: &[Case] = &[
     ("a second default model", |all| all.models[1].default = true),
     ("an impossible model", |all| all.models[1].axes = 0),
@@ -120,6 +132,11 @@ fn faulty_expressions_are_refused() {
 #[test]
 fn faulty_numbers_are_refused() {
     insta::assert_snapshot!(refusals(NUMBER_FAULTS));
+}
+
+#[test]
+fn faulty_links_are_refused() {
+    insta::assert_snapshot!(refusals(LINK_FAULTS));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Parameters and flags by number.
 
 use acrc_catalog::{
-    Access, BitKind, Known, Space, ValueType, all_bits, all_parameters, bit, bit_number, flag_words, law, parameter,
-    parameter_number,
+    Access, BitKind, Known, SetBy, Space, ValueType, all_bits, all_parameters, bit, bit_number, command, flag_words,
+    law, parameter, parameter_number,
 };
 use proptest::prelude::*;
 
@@ -225,4 +225,16 @@ proptest! {
     fn any_number_is_harmless(number: u32) {
         let _ = (parameter(number), bit(number));
     }
+}
+
+#[test]
+fn settings_name_the_parameters_and_flags_that_hold_them() {
+    let pgain = parameter(12_560).row.expect("a row");
+    assert_eq!(pgain.set_by, Some(SetBy { command: command::PGAIN, part: 0 }));
+    assert_eq!((pgain.default(0), pgain.default(15)), (Some(0.002_441_406), Some(0.002_441_406)));
+    let tlm = parameter(12_337).row.expect("a row");
+    assert_eq!((tlm.set_by, tlm.default(0)), (Some(SetBy { command: command::TLM, part: 1 }), Some(-10.0)));
+    assert_eq!(bit(16_149).row.and_then(|row| row.set_by), Some(SetBy { command: command::HLIM, part: 1 }));
+    let node = parameter(33_024).row.expect("a row");
+    assert_eq!((node.default(0), node.default(1)), (Some(1.0), Some(0.0)));
 }

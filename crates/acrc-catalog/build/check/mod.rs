@@ -2,6 +2,7 @@
 
 mod commands;
 mod expressions;
+mod links;
 mod numbers;
 mod others;
 
@@ -17,6 +18,7 @@ pub fn check(catalogue: &Catalogue) -> Vec<String> {
     commands::check(&catalogue.commands, &mut faults);
     expressions::check(catalogue, &mut faults);
     numbers::check(catalogue, &mut faults);
+    links::check(catalogue, &mut faults);
     others::check(catalogue, &mut faults);
     faults.0
 }

@@ -38,7 +38,7 @@ fn command(row: &CommandRow, rows: &[&CommandRow], opcodes: &BTreeMap<&str, u16>
     format!(
         "Command {{ id: CommandId({}), name: {:?}, word: {:?}, parent: {}, belongs_to: {}, clause: {}, group: {:?}, summary: {:?}, note: {:?}, \
          signature: {:?}, arguments: &[{arguments}], shape: Shape::{:?}, min_args: {}, max_args: {}, tuple_min: {}, tuple_max: {}, \
-         bare_axis: {}, levels: Levels::from_bits({}), report: {:?}, prefixes: &[{}], takes_axes: {}, daughter_required: {}, models: {:?}, \
+         bare_axis: {}, setting: {}, levels: Levels::from_bits({}), report: {:?}, prefixes: &[{}], takes_axes: {}, daughter_required: {}, models: {:?}, \
          source: {:?}, confidence: {}, daughters: &[{}], parts: &[{}] }}",
         row.opcode,
         row.name,
@@ -56,6 +56,7 @@ fn command(row: &CommandRow, rows: &[&CommandRow], opcodes: &BTreeMap<&str, u16>
         row.tuple[0],
         row.tuple[1],
         row.bare_axis,
+        row.setting,
         levels(&row.levels),
         row.report,
         prefixes.collect::<Vec<_>>().join(", "),
@@ -76,7 +77,13 @@ fn levels(names: &[String]) -> u8 {
 
 fn argument(row: &ArgumentRow) -> String {
     format!(
-        "Argument {{ name: {:?}, kind: {:?}, unit: {:?}, range: {:?}, default: {:?} }}",
-        row.name, row.kind, row.unit, row.range, row.default
+        "Argument {{ name: {:?}, kind: {:?}, unit: {:?}, range: {:?}, default: {:?}, default_value: {:?}, opposite: {} }}",
+        row.name,
+        row.kind,
+        row.unit,
+        row.range,
+        row.default,
+        row.default_value(),
+        row.is_opposite()
     )
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{confidence, constant, line, table};
 use crate::address::AddressLaw;
-use crate::catalogue::rows::{Catalogue, NumberRow};
+use crate::catalogue::rows::{ArgumentRow, Catalogue, CommandRow, NumberRow};
 use crate::vocabulary::{Access, BitKind, Space, ValueType};
 
 /// Numbers that share one entry of the look-up index; a group of the binary interface is as large.
@@ -12,11 +12,11 @@ const GROUP: u32 = 256;
 
 pub fn tables(catalogue: &Catalogue, out: &mut String) {
     let parameters = sorted(&catalogue.parameters);
-    table(out, "PARAMETERS", "ParameterRow", parameters.iter().map(|row| parameter(row)));
+    table(out, "PARAMETERS", "ParameterRow", parameters.iter().map(|row| parameter(row, &catalogue.commands)));
     groups(out, "PARAMETERS_BY_GROUP", &parameters);
     fields(out, "PARAMETER_FIELDS", &catalogue.parameters);
     let bits = sorted(&catalogue.bits);
-    table(out, "BITS", "BitRow", bits.iter().map(|row| bit(row)));
+    table(out, "BITS", "BitRow", bits.iter().map(|row| bit(row, &catalogue.commands)));
     groups(out, "BITS_BY_GROUP", &bits);
     fields(out, "BIT_FIELDS", &catalogue.bits);
     let blocks = catalogue.blocks.iter().map(|row| {
@@ -118,19 +118,48 @@ fn access(name: Option<&str>) -> String {
     format!("Access::{:?}", name.and_then(Access::from_name).unwrap_or(Access::Unknown))
 }
 
-fn parameter(row: &NumberRow) -> String {
+/// The command that sets a row.
+fn setter<'a>(row: &NumberRow, commands: &'a [CommandRow]) -> Option<&'a CommandRow> {
+    commands.iter().find(|command| Some(&command.name) == row.command.as_ref())
+}
+
+fn set_by(row: &NumberRow, commands: &[CommandRow]) -> String {
+    setter(row, commands).map_or("None".to_owned(), |command| {
+        format!("Some(SetBy {{ command: CommandId({}), part: {} }})", command.opcode, row.part.unwrap_or(0))
+    })
+}
+
+/// The values at power-up: those of the row, or that of the command that sets it. The second of a pair is the first with its sign turned.
+fn defaults(row: &NumberRow, commands: &[CommandRow]) -> Vec<f64> {
+    let Some(command) = setter(row, commands) else { return row.default.values().to_vec() };
+    let Some(argument) = command.arguments.get(usize::from(row.part.unwrap_or(0))) else { return Vec::new() };
+    let value = if argument.is_opposite() {
+        command
+            .arguments
+            .first()
+            .and_then(ArgumentRow::default_value)
+            .map(|value| if value == 0.0 { 0.0 } else { -value })
+    } else {
+        argument.default_value()
+    };
+    value.into_iter().collect()
+}
+
+fn parameter(row: &NumberRow, commands: &[CommandRow]) -> String {
     let value_type = row.value_type.as_deref().and_then(ValueType::from_name);
     let range = row.range.map(|[least, most]| (least, most));
     let value_type = value_type.map_or("None".to_owned(), |value_type| format!("Some(ValueType::{value_type:?})"));
     format!(
-        "ParameterRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, ty: {value_type}, access: {}, range: {range:?}, unit: {:?}, note: {:?}, \
-         source: {:?}, confidence: {} }}",
+        "ParameterRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, ty: {value_type}, access: {}, range: {range:?}, set_by: {}, \
+         defaults: &{:?}, unit: {:?}, note: {:?}, source: {:?}, confidence: {} }}",
         law(row.law()),
         space(&row.object),
         row.field,
         row.title,
         row.also,
         access(row.access.as_deref()),
+        set_by(row, commands),
+        defaults(row, commands),
         row.unit,
         row.note,
         row.source,
@@ -138,17 +167,18 @@ fn parameter(row: &NumberRow) -> String {
     )
 }
 
-fn bit(row: &NumberRow) -> String {
+fn bit(row: &NumberRow, commands: &[CommandRow]) -> String {
     let kind = row.kind.as_deref().and_then(BitKind::from_name).expect("checked");
     format!(
-        "BitRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, kind: BitKind::{kind:?}, access: {}, note: {:?}, source: {:?}, \
-         confidence: {} }}",
+        "BitRow {{ law: {}, object: {}, field: {:?}, title: {:?}, also: &{:?}, kind: BitKind::{kind:?}, access: {}, set_by: {}, note: {:?}, \
+         source: {:?}, confidence: {} }}",
         law(row.law()),
         space(&row.object),
         row.field,
         row.title,
         row.also,
         access(row.access.as_deref()),
+        set_by(row, commands),
         row.note,
         row.source,
         confidence(&row.confidence)

@@ -1,6 +1,6 @@
 //! Flags: single bits by number. Flag `b` is bit `b mod 32` of parameter `4096 + b div 32`.
 
-use super::{Known, candidates, owner};
+use super::{Known, SetBy, candidates, owner};
 use crate::generated::{BIT_FIELDS, BITS, BITS_BY_GROUP, FLAG_WORDS};
 use crate::{Access, AddressLaw, BitKind, Confidence, Space};
 
@@ -28,6 +28,8 @@ pub struct BitRow {
     pub kind: BitKind,
     /// What programs may do with it.
     pub access: Access,
+    /// The command that sets it together with others, and which bit of its value it is.
+    pub set_by: Option<SetBy>,
     /// What else is known or not known.
     pub note: &'static str,
     /// Where the row comes from (`data/README.md`).

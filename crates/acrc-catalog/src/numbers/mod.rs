@@ -1,6 +1,6 @@
 //! What a parameter or flag number stands for (guide, "Parameters and Bits").
 
-use crate::Space;
+use crate::{CommandId, Space};
 
 mod bits;
 mod parameters;
@@ -34,6 +34,15 @@ fn owner(object: Space, index: Option<u32>, element: Option<u32>) -> String {
         (_, None, Some(element)) => format!("{object}, number {element}"),
         (_, Some(index), Some(element)) => format!("{object} {index}, number {element}"),
     }
+}
+
+/// A command as another way to a parameter or flag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SetBy {
+    /// The command.
+    pub command: CommandId,
+    /// Which of its values a parameter is, or which bit of its value a flag is.
+    pub part: u8,
 }
 
 /// Numbers that share one entry of the look-up index.

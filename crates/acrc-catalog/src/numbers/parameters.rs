@@ -1,12 +1,12 @@
 //! Parameters: values by number, `P0` and up.
 
-use super::{Known, candidates, owner};
+use super::{Known, SetBy, candidates, owner};
 use crate::generated::{BLOCKS, PARAMETER_FIELDS, PARAMETERS, PARAMETERS_BY_GROUP};
 use crate::numbers::flag_words;
 use crate::{Access, AddressLaw, Confidence, Space, ValueType};
 
 /// A run of parameters with one meaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterRow {
     /// Its numbers.
     pub law: AddressLaw,
@@ -24,6 +24,10 @@ pub struct ParameterRow {
     pub access: Access,
     /// The least and the largest value that a document allows.
     pub range: Option<(i32, i32)>,
+    /// The command that sets the same value.
+    pub set_by: Option<SetBy>,
+    /// Values at power-up where a document states them: none, one for every object, or one for each.
+    pub defaults: &'static [f64],
     /// Unit of its value; empty for none or unknown.
     pub unit: &'static str,
     /// What else is known or not known.
@@ -32,6 +36,16 @@ pub struct ParameterRow {
     pub source: &'static str,
     /// How well it is attested.
     pub confidence: Confidence,
+}
+
+impl ParameterRow {
+    /// The value at power-up of the parameter at a place of the row, where a document states it.
+    pub fn default(&self, place: u32) -> Option<f64> {
+        match self.defaults {
+            [value] => Some(*value),
+            values => values.get(place as usize).copied(),
+        }
+    }
 }
 
 /// A range of parameter numbers that belongs to one kind of object.
@@ -58,7 +72,7 @@ pub struct ParameterBlock {
 }
 
 /// A parameter number, decoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterInfo {
     /// The number.
     pub number: u32,

@@ -1,5 +1,7 @@
 //! What a parameter or flag number belongs to.
 
+use super::ObjectKind;
+
 named_enum! {
     /// The owner of a range of parameters or flags.
     pub enum Space {
@@ -51,6 +53,21 @@ named_enum! {
 }
 
 impl Space {
+    /// The object that stands in front of commands for it: `AXIS` for what belongs to an axis.
+    pub const fn object_kind(self) -> Option<ObjectKind> {
+        Some(match self {
+            Self::Axis => ObjectKind::Axis,
+            Self::Master => ObjectKind::Master,
+            Self::Encoder => ObjectKind::Encoder,
+            Self::Dac => ObjectKind::Dac,
+            Self::Adc => ObjectKind::Adc,
+            Self::Cmt => ObjectKind::Cmt,
+            Self::Program => ObjectKind::Prog,
+            Self::Plc => ObjectKind::Plc,
+            _ => return None,
+        })
+    }
+
     /// Whether its objects are numbered, as axes are. The numbers of the others are elements: input 24, user variable 5.
     pub const fn is_numbered(self) -> bool {
         !matches!(

@@ -1,6 +1,6 @@
 //! Pages of commands, keywords and objects.
 
-use super::Sheet;
+use super::{Sheet, numbers};
 use crate::{Argument, Command, CommandId, Keyword, ObjectKind, all_commands};
 
 pub(super) fn command(command: &Command) -> String {
@@ -11,6 +11,7 @@ pub(super) fn command(command: &Command) -> String {
         .table(["argument", "kind", "unit", "range", "default"], &arguments)
         .fact("levels", levels(command))
         .fact("reports", command.report)
+        .fact("kept in", numbers::set_by(command.id))
         .list("prefixes", prefixes(command).iter().map(String::as_str))
         .list("daughters", command.daughters.iter().map(|daughter| daughter.info().word))
         .list("see also", related(command))

@@ -1,7 +1,9 @@
 //! Pages of parameters and flags.
 
 use super::Sheet;
-use crate::{Access, AddressLaw, BitInfo, BitRow, Known, ParameterInfo, ParameterRow, all_bits, all_parameters};
+use crate::{
+    Access, AddressLaw, BitInfo, BitRow, CommandId, Known, ParameterInfo, ParameterRow, SetBy, all_bits, all_parameters,
+};
 
 pub(super) fn parameter(info: &ParameterInfo) -> String {
     let name = format!("P{}", info.number);
@@ -17,7 +19,9 @@ pub(super) fn parameter(info: &ParameterInfo) -> String {
         .fact("type", info.ty.map_or("", |ty| ty.name()))
         .fact("access", access(info.access))
         .fact("range", range(info.row.and_then(|row| row.range)))
+        .fact("at power-up", info.row.map(power_up).unwrap_or_default())
         .fact("unit", info.unit)
+        .fact("set by", info.row.and_then(|row| row.set_by).map(value_of).unwrap_or_default())
         .fact("law", info.row.map(|row| law("P", &row.law)).unwrap_or_default());
     let sheet = match info.block {
         Some(block) => sheet.fact("block", format!("P{}-P{} ({})", block.first, block.last, block.object)),
@@ -42,6 +46,7 @@ pub(super) fn bit(info: &BitInfo) -> String {
         .fact("access", access(info.access))
         .fact("flag word", word.unwrap_or_default())
         .fact("group", info.words.map_or("", |words| words.group))
+        .fact("set by", info.row.and_then(|row| row.set_by).map(bit_of).unwrap_or_default())
         .fact("law", info.row.map(|row| law("BIT", &row.law)).unwrap_or_default());
     close(sheet.fact("note", info.note), info.source, info.confidence)
 }
@@ -56,7 +61,9 @@ pub(super) fn parameter_field(row: &ParameterRow) -> String {
         .fact("type", row.ty.map_or("", |ty| ty.name()))
         .fact("access", access(row.access))
         .fact("range", range(row.range))
+        .fact("at power-up", power_up(row))
         .fact("unit", row.unit)
+        .fact("set by", row.set_by.map(value_of).unwrap_or_default())
         .fact("law", laws.join("; "))
         .fact("note", row.note)
         .origin(row.source, row.confidence)
@@ -71,9 +78,34 @@ pub(super) fn bit_field(row: &BitRow) -> String {
         .fact("of", row.object.name())
         .fact("kind", row.kind.name())
         .fact("access", access(row.access))
+        .fact("set by", row.set_by.map(bit_of).unwrap_or_default())
         .fact("law", laws.join("; "))
         .fact("note", row.note)
         .origin(row.source, row.confidence)
+}
+
+/// The parameters and flags that hold the values of a command.
+pub(super) fn set_by(command: CommandId) -> String {
+    let sets = |set_by: Option<SetBy>| set_by.is_some_and(|set_by| set_by.command == command);
+    let parameters = all_parameters().filter(|row| sets(row.set_by)).map(|row| law("P", &row.law));
+    let bits = all_bits().filter(|row| sets(row.set_by)).map(|row| law("BIT", &row.law));
+    parameters.chain(bits).collect::<Vec<_>>().join("; ")
+}
+
+fn value_of(set_by: SetBy) -> String {
+    let command = set_by.command.info();
+    match command.arguments.get(usize::from(set_by.part)) {
+        Some(argument) if command.tuple_max > 1 => format!("{}, {}", command.name, argument.name),
+        _ => command.name.to_owned(),
+    }
+}
+
+fn bit_of(set_by: SetBy) -> String {
+    format!("{}, bit {} of its value", set_by.command.info().name, set_by.part)
+}
+
+fn power_up(row: &ParameterRow) -> String {
+    row.defaults.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
 fn close(sheet: Sheet, source: &str, confidence: crate::Confidence) -> String {
