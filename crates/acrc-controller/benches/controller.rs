@@ -17,6 +17,10 @@ const SECONDS: f64 = 10.0;
 const POLLING: &str = "SYS\nDIM P(10)\nPROG0\nDIM LV(1)\nDIM DV(1)\nPROGRAM\nWHILE (NOT BIT 128)\nLV0 = LV0 + 1\n\
                        IF (LV0 MOD 3 = 0) THEN DV0 = DV0 + LV0 * 0.5\nP0 = DV0\nWEND\nENDP\n";
 
+/// Looks at parameters and flags, and writes some, for ever.
+const REGISTERS: &str = "PROG0\nPROGRAM\nWHILE (NOT BIT 516)\nIF (P12290 > 100 OR P4096 <> 0) THEN END\nP12304 = P12304 + 0.5\n\
+                         BIT 32 = NOT BIT 32\nP38912 = P38912 + 1\nWEND\nENDP\n";
+
 /// Moves eight axes forth and back, each move blended into the next.
 const MOVING: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"A\"\nATTACH SLAVE1 AXIS1 \"B\"\nATTACH SLAVE2 AXIS2 \"C\"\n\
                       ATTACH SLAVE3 AXIS3 \"D\"\nATTACH SLAVE4 AXIS4 \"E\"\nATTACH SLAVE5 AXIS5 \"G\"\nATTACH SLAVE6 AXIS6 \"H\"\n\
@@ -68,8 +72,13 @@ fn best(image: &Arc<Image>, every_tick: bool) -> Duration {
 
 fn virtual_time(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("ten_seconds");
-    for (name, text, every_tick) in [("polling", POLLING, false), ("moving", MOVING, false), ("waiting", WAITING, true)]
-    {
+    let runs = [
+        ("polling", POLLING, false),
+        ("registers", REGISTERS, false),
+        ("moving", MOVING, false),
+        ("waiting", WAITING, true),
+    ];
+    for (name, text, every_tick) in runs {
         let image = image(text);
         let (statements, seconds) = (run(&image, every_tick), best(&image, every_tick).as_secs_f64());
         println!(

@@ -50,6 +50,14 @@ pub enum ControllerError {
     /// A number that is no parameter of this controller.
     #[error("P{0} is no parameter of this controller")]
     UnknownParameter(i64),
+    /// A value that a parameter has no room for.
+    #[error("P{number} cannot hold {value}")]
+    ParameterRange {
+        /// The parameter.
+        number: i64,
+        /// The value as it is printed.
+        value: String,
+    },
     /// A number that is no flag of this controller.
     #[error("BIT{0} is no flag of this controller")]
     UnknownBit(i64),
@@ -133,6 +141,9 @@ pub enum ControllerError {
         /// The flag.
         bit: u32,
     },
+    /// A move while an axis of the master has its Kill All Motion Request; the controller's text.
+    #[error("Associated Slave Kill Motion Request Active")]
+    MotionKilled,
     /// A move that the profiler refuses.
     #[error("{0}")]
     Move(String),

@@ -1,11 +1,11 @@
-//! The flag words P4096..P4647 and the bits in them: one memory, two views (guide, "System Parameters and Flags").
+//! The flag words P4096..P6143 and the bits in them: one memory, two views (guide, "System Parameters and Flags").
 
 use acrc_catalog::Law;
 
 /// First parameter that is a flag word.
 pub(crate) const FIRST_WORD: u32 = 4096;
 /// Number of flag words.
-const WORDS: usize = 552;
+const WORDS: usize = 2048;
 
 /// All flags of the controller.
 #[derive(Clone, Debug)]
@@ -63,8 +63,8 @@ mod tests {
         assert_eq!(flags.word(4097), Some(0x8000_0004));
         flags.set(34, false);
         assert!(!flags.get(34) && flags.get(63));
-        assert!(Flags::contains(17_663) && !Flags::contains(17_664));
-        assert_eq!(flags.word(4648), None);
+        assert!(Flags::contains(65_535) && !Flags::contains(65_536));
+        assert_eq!(flags.word(6144), None);
         assert_eq!(flags.word(4095), None);
     }
 }

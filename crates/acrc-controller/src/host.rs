@@ -9,6 +9,7 @@ impl Host for Context<'_> {
     fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> {
         if !is_user(number) {
             self.catch_up();
+            self.machine.note_read(number);
         }
         self.machine.read_parameter(number).map_err(FaultKind::from)
     }
@@ -38,6 +39,7 @@ impl Host for Context<'_> {
     }
 
     fn bit(&mut self, number: i64) -> Result<bool, FaultKind> {
+        self.machine.note_read_bit(number);
         self.machine.read_bit(number).map_err(FaultKind::from)
     }
 

@@ -1,19 +1,19 @@
 //! Everything of the controller but the programs' text: memory, flags, axes, masters, attachments. One tick of it moves the machine on by a
 //! servo period.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use acrc_catalog::{Model, law};
 use acrc_image::AxisName;
 use acrc_motion::{HoldState, Master as Profiler};
 use acrc_syntax::units::Level;
-use acrc_vm::Value;
 
 use crate::axis::{Axis, SlaveSlot};
 use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
 use crate::memory::{Block, SystemMemory};
+use crate::registers::Registers;
 use crate::settings::Settings;
 use crate::time::Clock;
 use crate::world::World;
@@ -50,7 +50,7 @@ pub(crate) struct Machine {
     pub(crate) memory: SystemMemory,
     pub(crate) settings: Settings,
     /// Parameters without behaviour of their own, by number.
-    pub(crate) registers: BTreeMap<u32, Value>,
+    pub(crate) registers: Registers,
     pub(crate) axes: Vec<Axis>,
     pub(crate) masters: Vec<Master>,
     pub(crate) attachments: Vec<Attachment>,
@@ -76,7 +76,7 @@ impl Machine {
             flags: Flags::new(),
             memory: SystemMemory::new(model),
             settings: Settings::default(),
-            registers: BTreeMap::new(),
+            registers: Registers::new(),
             axes: (0..model.axes).map(|_| Axis::new()).collect(),
             masters: (0..model.masters).map(|_| Master::new()).collect(),
             attachments: vec![Attachment::default(); usize::from(model.programs)],
@@ -93,6 +93,7 @@ impl Machine {
             // An ideal machine has no following error, so every axis stays inside its error band.
             machine.flags.set_law(law::NOT_EXCESS_ERROR, axis, true);
         }
+        machine.set_defaults();
         machine
     }
 
@@ -339,7 +340,8 @@ impl Machine {
 
     /// Drive enable of an axis.
     pub(crate) fn set_drive(&mut self, axis: u8, enabled: bool) {
-        self.flags.set(law::DRIVE_ENABLE.at(u32::from(axis)), enabled);
+        self.flags.set_law(law::DRIVE_ENABLE, u32::from(axis), enabled);
+        self.flags.set_law(law::DRIVE_ENABLED_STATUS, u32::from(axis), enabled);
         self.axes[usize::from(axis)].was_enabled |= enabled;
     }
 

@@ -39,6 +39,22 @@ impl State {
     }
 }
 
+/// When a command that waits for a parameter looks at it although nothing has happened (`IHPOS`).
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Watch {
+    /// Tick at which it gives up.
+    pub(crate) timeout: Option<u64>,
+    /// Tick at which a parameter that follows the time may have got there.
+    pub(crate) look: Option<u64>,
+}
+
+impl Watch {
+    /// The ticks at which something can happen.
+    pub(crate) fn ticks(&self) -> impl Iterator<Item = u64> {
+        self.timeout.into_iter().chain(self.look)
+    }
+}
+
 /// A program slot.
 #[derive(Debug)]
 pub(crate) struct Program {
@@ -51,6 +67,7 @@ pub(crate) struct Program {
     pub(crate) state: State,
     /// Tick at which its dwell ends.
     pub(crate) release: Option<u64>,
+    pub(crate) watch: Watch,
     /// The machine's count of changes when the program last found that it must wait.
     pub(crate) waited_at: u64,
     pub(crate) statements: u64,
@@ -66,6 +83,7 @@ impl Program {
             locals: Locals::new(0),
             state: State::Idle,
             release: None,
+            watch: Watch::default(),
             waited_at: 0,
             statements: 0,
         }
@@ -80,6 +98,7 @@ impl Program {
     pub(crate) fn start(&mut self) {
         self.frame.reset();
         self.release = None;
+        self.watch = Watch::default();
         self.state = State::Running;
     }
 
@@ -91,6 +110,7 @@ impl Program {
     /// Stops it for good.
     pub(crate) fn stop(&mut self, state: State) {
         self.release = None;
+        self.watch = Watch::default();
         self.state = state;
     }
 }

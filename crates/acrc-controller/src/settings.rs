@@ -1,25 +1,222 @@
-//! Values that a command sets and reports but that have no effect on an ideal machine: servo gains, error bands, output gains, jog profiles.
+//! What commands set and report: servo gains, limits, jog and gear profiles, sources, analog gains.
 //!
-//! They are kept so that a program can set them, ask for them and find what it wrote.
+//! Where a parameter or flag is another way to a setting, that number is its only memory, and the catalogue says which one. The other settings are kept
+//! here, by command and object.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
-use acrc_catalog::CommandId;
+use acrc_catalog::{AddressLaw, CommandId, SetBy, all_bits, all_parameters, command};
+use acrc_vm::{Source, Value};
 
-/// Values of settings by command and object number.
+use crate::error::ControllerError;
+use crate::machine::Machine;
+
+/// One value of a setting.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Item {
+    /// A number.
+    Number(Value),
+    /// An object, parameter, array or word: `GEAR SRC X ENC2`.
+    Source(Source),
+    /// The name of a source that nobody has set: `NONE`.
+    Factory(&'static str),
+}
+
+/// The settings that have no number: by command, object, and segment where an object has several.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Settings {
-    values: BTreeMap<(CommandId, u16), Vec<f64>>,
+    kept: BTreeMap<(CommandId, u16, i32), Vec<Item>>,
 }
 
 impl Settings {
-    /// Stores the values of one object.
-    pub(crate) fn set(&mut self, command: CommandId, object: u16, values: Vec<f64>) {
-        self.values.insert((command, object), values);
+    fn keep(&mut self, command: CommandId, object: u16, items: Vec<Item>) {
+        let segment = match items.first() {
+            Some(Item::Number(number)) if SEGMENTED.contains(&command) => number.to_long().unwrap_or(0),
+            _ => 0,
+        };
+        self.kept.insert((command, object, segment), items);
     }
 
-    /// The values of one object; `None` while nothing has set them.
-    pub(crate) fn get(&self, command: CommandId, object: u16) -> Option<&[f64]> {
-        self.values.get(&(command, object)).map(Vec::as_slice)
+    /// What was set for an object; nothing at power-up.
+    fn of(&self, command: CommandId, object: u16) -> Vec<Item> {
+        let segments = (command, object, i32::MIN)..=(command, object, i32::MAX);
+        self.kept.range(segments).flat_map(|(_, items)| items).cloned().collect()
     }
+
+    /// Forgets what some commands have set, for one object or for all.
+    pub(crate) fn forget(&mut self, commands: &[CommandId], object: Option<u16>) {
+        self.kept
+            .retain(|(command, of, _), _| !commands.contains(command) || object.is_some_and(|object| object != *of));
+    }
+}
+
+/// Settings whose first value says which segment of the table they are for.
+const SEGMENTED: [CommandId; 2] = [command::CAM_SEG, command::BSC_SEG];
+
+/// Where a command's values are.
+#[derive(Clone, Debug)]
+enum Place {
+    /// One parameter a value.
+    Parameters(Vec<AddressLaw>),
+    /// One flag a bit of the value.
+    Flags(Vec<AddressLaw>),
+}
+
+/// The commands whose values have numbers.
+static PLACES: LazyLock<BTreeMap<CommandId, Place>> = LazyLock::new(|| {
+    let parameters = all_parameters().filter_map(|row| Some((row.set_by?, row.law)));
+    let bits = all_bits().filter_map(|row| Some((row.set_by?, row.law)));
+    let places = by_command(parameters).map(|(command, laws)| (command, Place::Parameters(laws)));
+    places.chain(by_command(bits).map(|(command, laws)| (command, Place::Flags(laws)))).collect()
+});
+
+/// The laws of each command in the order of its parts.
+fn by_command(rows: impl Iterator<Item = (SetBy, AddressLaw)>) -> impl Iterator<Item = (CommandId, Vec<AddressLaw>)> {
+    let mut parts: BTreeMap<CommandId, BTreeMap<u8, AddressLaw>> = BTreeMap::new();
+    for (set_by, law) in rows {
+        parts.entry(set_by.command).or_default().insert(set_by.part, law);
+    }
+    parts.into_iter().map(|(command, parts)| (command, parts.into_values().collect()))
+}
+
+impl Machine {
+    /// Stores what a command sets for an object.
+    pub(crate) fn set_setting(
+        &mut self,
+        command: CommandId,
+        object: u16,
+        items: Vec<Item>,
+    ) -> Result<(), ControllerError> {
+        let items = completed(command, items)?;
+        match PLACES.get(&command) {
+            Some(Place::Parameters(laws)) => self.set_parameters(command, laws, object, &items),
+            Some(Place::Flags(laws)) => self.set_flags(command, laws, object, &items),
+            None => {
+                self.settings.keep(command, object, items);
+                Ok(())
+            }
+        }
+    }
+
+    /// What a command has set for an object, or what it is at power-up.
+    pub(crate) fn setting(&self, command: CommandId, object: u16) -> Result<Vec<Item>, ControllerError> {
+        match PLACES.get(&command) {
+            Some(Place::Parameters(laws)) => laws
+                .iter()
+                .map(|law| self.read_parameter(i64::from(numbered(command, law, object)?)).map(Item::Number))
+                .collect(),
+            Some(Place::Flags(laws)) => {
+                let mut value = 0;
+                for (bit, law) in laws.iter().enumerate() {
+                    value |= i32::from(self.flags.get(numbered(command, law, object)?)) << bit;
+                }
+                Ok(vec![Item::Number(Value::Long(value))])
+            }
+            None => {
+                let kept = self.settings.of(command, object);
+                Ok(if kept.is_empty() { factory(command, object) } else { kept })
+            }
+        }
+    }
+
+    fn set_parameters(
+        &mut self,
+        command: CommandId,
+        laws: &[AddressLaw],
+        object: u16,
+        items: &[Item],
+    ) -> Result<(), ControllerError> {
+        for (law, item) in laws.iter().zip(items) {
+            let Item::Number(value) = item else { return Err(number_expected(command)) };
+            self.write_parameter(i64::from(numbered(command, law, object)?), value)?;
+        }
+        Ok(())
+    }
+
+    fn set_flags(
+        &mut self,
+        command: CommandId,
+        laws: &[AddressLaw],
+        object: u16,
+        items: &[Item],
+    ) -> Result<(), ControllerError> {
+        let [Item::Number(value)] = items else { return Err(number_expected(command)) };
+        let value = value.to_long().map_err(ControllerError::Program)?;
+        let most = (1 << laws.len()) - 1;
+        if !(0..=most).contains(&value) {
+            let problem = format!("{value} is not between 0 and {most}");
+            return Err(ControllerError::BadValue { command: command.info().name, problem });
+        }
+        for (bit, law) in laws.iter().enumerate() {
+            self.flags.set(numbered(command, law, object)?, value >> bit & 1 == 1);
+        }
+        Ok(())
+    }
+}
+
+/// The number that belongs to an object.
+fn numbered(command: CommandId, law: &AddressLaw, object: u16) -> Result<u32, ControllerError> {
+    let number = u32::from(object).checked_sub(law.first_index).and_then(|place| law.number(place));
+    number.ok_or_else(|| {
+        let kind = command.info().prefixes.first().map_or("", |kind| kind.name());
+        let last = (law.first_index + law.count).saturating_sub(1) as u8;
+        ControllerError::NoSuchObject { object: kind, index: i64::from(object), last }
+    })
+}
+
+/// The values of a command in the forms of its arguments, those of a pair that were left out added.
+fn completed(command: CommandId, items: Vec<Item>) -> Result<Vec<Item>, ControllerError> {
+    let info = command.info();
+    let mut completed = Vec::with_capacity(items.len());
+    for (place, item) in items.into_iter().enumerate() {
+        let kind = info.arguments.get(place).map_or("", |argument| argument.kind);
+        completed.push(match item {
+            Item::Number(value) => Item::Number(in_form(command, kind, &value)?),
+            other => other,
+        });
+    }
+    let opposite = info.arguments.get(completed.len()).is_some_and(|argument| argument.opposite);
+    if let ([Item::Number(value)], true) = (&completed[..], opposite) {
+        let real = value.to_f64().map_err(ControllerError::Program)?;
+        completed.push(Item::Number(Value::Single(-real as f32)));
+    }
+    Ok(completed)
+}
+
+fn in_form(command: CommandId, kind: &str, value: &Value) -> Result<Value, ControllerError> {
+    let real = value.to_f64().map_err(ControllerError::Program)?;
+    let single = real as f32;
+    match kind {
+        "long" => value.to_long().map(Value::Long).map_err(ControllerError::Program),
+        "FP32" if single.is_finite() => Ok(Value::Single(single)),
+        "FP32" => Err(ControllerError::BadValue {
+            command: command.info().name,
+            problem: format!("{real} is beyond the range of 32 bits"),
+        }),
+        _ => Ok(value.clone()),
+    }
+}
+
+/// What a setting is at power-up: the default of its arguments where a document states one, else 0.
+fn factory(id: CommandId, object: u16) -> Vec<Item> {
+    let info = id.info();
+    if id == command::HLBIT {
+        // On the ACR90x0 the lowest inputs belong to the lowest axis, three to each.
+        return vec![Item::Number(Value::Long(i32::from(object) * 3))];
+    }
+    let arguments = info.arguments.iter().filter(|argument| argument.name != "n");
+    let items = arguments.take(usize::from(info.tuple_min.max(1))).map(|argument| {
+        match (argument.default_value, argument.default) {
+            (Some(value), _) => Item::Number(Value::Single(value as f32)),
+            (None, "") => Item::Number(Value::Long(0)),
+            (None, word) => Item::Factory(word),
+        }
+    });
+    let items: Vec<_> = items.collect();
+    if items.is_empty() { vec![Item::Number(Value::Long(0))] } else { items }
+}
+
+fn number_expected(command: CommandId) -> ControllerError {
+    ControllerError::Expected { command: command.info().name, expected: "numbers" }
 }

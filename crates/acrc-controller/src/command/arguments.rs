@@ -78,13 +78,7 @@ impl Context<'_> {
         argument: &'c Arg,
         call: &Call,
     ) -> Result<AxisArgument<'c>, ControllerError> {
-        let (axis, value) = match argument {
-            Arg::Axis { name, value, .. } => (self.machine.named_axis(self.program(call)?, *name)?, value),
-            Arg::Object { kind: ObjectKind::Axis, index: Some(index), value, .. } => {
-                (self.axis(i64::from(*index))?, value)
-            }
-            _ => return Err(ControllerError::Expected { command, expected: "axis names" }),
-        };
+        let (axis, value) = self.axis_and_value(call, argument)?;
         let value = match value {
             ArgValue::None => AxisValue::None,
             ArgValue::Value(value) => AxisValue::One(value),
@@ -94,6 +88,21 @@ impl Context<'_> {
             }
         };
         Ok(AxisArgument { axis, value })
+    }
+
+    /// An axis that a call names, with what stands behind it.
+    pub(super) fn axis_and_value<'c>(
+        &self,
+        call: &Call,
+        argument: &'c Arg,
+    ) -> Result<(u8, &'c ArgValue), ControllerError> {
+        match argument {
+            Arg::Axis { name, value, .. } => Ok((self.machine.named_axis(self.program(call)?, *name)?, value)),
+            Arg::Object { kind: ObjectKind::Axis, index: Some(index), value, .. } => {
+                Ok((self.axis(i64::from(*index))?, value))
+            }
+            _ => Err(ControllerError::Expected { command: call.command.info().name, expected: "axis names" }),
+        }
     }
 
     /// An axis by number.

@@ -1,13 +1,19 @@
-//! Waiting (guide, "Logic Function").
+//! Waiting, and bits of a parameter (guide, "Logic Function", "Other Conditional Statements").
 
-use acrc_catalog::command;
-use acrc_vm::{Arg, Call, Outcome};
+use acrc_catalog::{command, law};
+use acrc_vm::{Arg, Call, Outcome, Reference, Value};
 
-use super::arguments::scalar;
+use super::arguments::{real, scalar};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::program::Watch;
 
-pub(super) const COMMANDS: &[Entry] = &[(command::INH, Action::Run(inhibit)), (command::DWL, Action::Run(dwell))];
+pub(super) const COMMANDS: &[Entry] = &[
+    (command::INH, Action::Run(inhibit)),
+    (command::IHPOS, Action::Run(inhibit_on_position)),
+    (command::DWL, Action::Run(dwell)),
+    (command::MASK, Action::Run(mask)),
+];
 
 /// Longest dwell in seconds that a run accepts, about thirty years.
 const LONGEST_DWELL: f64 = 1e9;
@@ -46,5 +52,62 @@ fn dwell(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
             *context.release = None;
             Ok(Outcome::Done)
         }
+    }
+}
+
+/// `IHPOS P (setpoint, timeout)` waits until the parameter is above the setpoint, or with a minus below it. A timeout of 0 never ends.
+fn inhibit_on_position(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let command = call.command.info().name;
+    let (number, negative, values) = parameter_and_tuple(call)?;
+    let [setpoint, timeout] = values else {
+        return Err(ControllerError::Expected { command, expected: "a setpoint and a timeout" });
+    };
+    let (setpoint, timeout) = (real(command, setpoint)?, real(command, timeout)?);
+    let clock = context.machine.clock;
+    if call.first {
+        if !(0.0..=LONGEST_DWELL).contains(&timeout) {
+            let problem = format!("a timeout of {timeout} seconds is not possible");
+            return Err(ControllerError::BadValue { command, problem });
+        }
+        context.watch.timeout = (timeout > 0.0).then(|| clock.ticks() + clock.tick_at(timeout));
+    }
+    let value = real(command, &context.machine.read_parameter(number)?)?;
+    let passed = if negative { value < setpoint } else { value > setpoint };
+    let over = context.watch.timeout.is_some_and(|tick| clock.ticks() >= tick);
+    if passed || over {
+        *context.watch = Watch::default();
+        return Ok(Outcome::Done);
+    }
+    if number == i64::from(law::CLOCK_MS.at(0)) && !negative {
+        // A little early at most: it looks again then.
+        let wait = clock.tick_at((setpoint - value).clamp(0.0, LONGEST_DWELL * 1000.0) / 1000.0);
+        context.watch.look = Some(clock.ticks() + wait.max(1));
+    }
+    Ok(Outcome::Again)
+}
+
+/// `MASK P (nand, or)` clears the bits of the first mask, then sets those of the second.
+fn mask(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let (number, negative, values) = parameter_and_tuple(call)?;
+    let [clear, set] = values else {
+        return Err(ControllerError::Expected { command: "MASK", expected: "two masks" });
+    };
+    if negative {
+        return Err(ControllerError::Expected { command: "MASK", expected: "a parameter without a sign" });
+    }
+    let long = |value: &Value| value.to_long().map_err(ControllerError::Program);
+    let before = long(&context.machine.read_parameter(number)?)?;
+    let after = before & !long(clear)? | long(set)?;
+    context.machine.write_parameter(number, &Value::Long(after))?;
+    Ok(Outcome::Done)
+}
+
+/// A parameter, the sign in front of it, and the values behind it.
+fn parameter_and_tuple<'c>(call: &Call<'c>) -> Result<(i64, bool, &'c [Value]), ControllerError> {
+    match call.arguments {
+        [Arg::Reference { target: Reference::Parameter(number), negative }, Arg::Tuple(values)] => {
+            Ok((*number, *negative, values))
+        }
+        _ => Err(ControllerError::Expected { command: call.command.info().name, expected: "a parameter and a tuple" }),
     }
 }

@@ -9,17 +9,19 @@ mod io;
 mod logic;
 mod moves;
 mod profile;
+mod settings;
 mod stored;
 mod system;
 
 use std::sync::LazyLock;
 
-use acrc_catalog::CommandId;
+use acrc_catalog::{CommandId, all_commands};
 use acrc_vm::{Call, Outcome};
 
 use crate::controller::{Observer, Pace};
 use crate::error::ControllerError;
 use crate::machine::Machine;
+use crate::program::Watch;
 
 /// What a command handler works on.
 pub(crate) struct Context<'a> {
@@ -28,6 +30,8 @@ pub(crate) struct Context<'a> {
     pub(crate) program: Option<u8>,
     /// Tick at which the held command of this program goes on (`DWL`).
     pub(crate) release: &'a mut Option<u64>,
+    /// When the held command of this program looks again by itself (`IHPOS`).
+    pub(crate) watch: &'a mut Watch,
     pub(crate) observer: &'a mut dyn Observer,
     /// When the lines of the program are executed.
     pub(crate) pace: Pace,
@@ -57,6 +61,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         logic::COMMANDS,
         moves::COMMANDS,
         profile::COMMANDS,
+        settings::COMMANDS,
         stored::COMMANDS,
         system::COMMANDS,
     ];
@@ -65,6 +70,10 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         let place = &mut table[usize::from(command.0)];
         debug_assert!(place.is_none(), "{} has two handlers", command.info().name);
         *place = Some(*action);
+    }
+    for info in all_commands() {
+        let place = &mut table[usize::from(info.id.0)];
+        *place = place.or_else(|| settings::action(info));
     }
     table
 });

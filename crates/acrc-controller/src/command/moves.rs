@@ -14,6 +14,10 @@ pub(super) const COMMANDS: &[Entry] = &[(command::AXIS_MOVE, Action::Run(linear)
 fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let program = context.program(call)?;
     let master = usize::from(context.machine.master_of(program)?);
+    let kamr = |axis| context.machine.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
+    if context.machine.masters[master].attached().any(|(_, axis)| kamr(axis)) {
+        return Err(ControllerError::MotionKilled);
+    }
     let killed = law::KILL_ALL_MOVES.at(master as u32);
     if context.machine.flags.get(killed) {
         return Err(ControllerError::Killed { master: master as u8, bit: killed });

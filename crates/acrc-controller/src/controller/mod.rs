@@ -22,7 +22,7 @@ pub use run::Stopped;
 pub use view::View;
 
 use crate::machine::Machine;
-use crate::program::Program;
+use crate::program::{Program, Watch};
 use crate::report::FaultReport;
 use crate::scheduler::Scheduler;
 use crate::world::World;
@@ -61,6 +61,7 @@ struct Boot {
     /// Variables of statements at the system prompt, which has none.
     locals: Locals,
     release: Option<u64>,
+    watch: Watch,
     done: bool,
     waiting: bool,
     /// The count of changes when it last found that it must wait.
@@ -83,6 +84,7 @@ impl Controller {
                 statement: 0,
                 locals: Locals::new(0),
                 release: None,
+                watch: Watch::default(),
                 done: false,
                 waiting: false,
                 waited_at: 0,

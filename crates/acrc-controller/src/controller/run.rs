@@ -112,9 +112,10 @@ impl Controller {
         if self.machine.in_motion() || !boot_waits || !self.programs.iter().all(quiet) {
             return None;
         }
-        let releases =
-            self.programs.iter().filter(|program| program.state.is_active()).filter_map(|program| program.release);
-        releases.chain(self.boot.release).chain(self.machine.next_event_tick()).chain([end]).min()
+        let active = || self.programs.iter().filter(|program| program.state.is_active());
+        let releases = active().filter_map(|program| program.release).chain(self.boot.release);
+        let watches = active().flat_map(|program| program.watch.ticks()).chain(self.boot.watch.ticks());
+        releases.chain(watches).chain(self.machine.next_event_tick()).chain([end]).min()
     }
 
     fn running(&self) -> Vec<bool> {
@@ -149,6 +150,7 @@ impl Controller {
             machine: &mut self.machine,
             program: Some(number as u8),
             release: &mut program.release,
+            watch: &mut program.watch,
             observer,
             pace,
             immediate: false,

@@ -42,6 +42,7 @@ impl Controller {
             machine: &mut self.machine,
             program: level,
             release: &mut boot.release,
+            watch: &mut boot.watch,
             observer,
             pace,
             immediate: true,

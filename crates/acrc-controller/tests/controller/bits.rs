@@ -35,7 +35,7 @@ fn read_only_flags_keep_their_state() {
 
 #[test]
 fn numbers_that_are_no_flag_are_refused() {
-    for statement in ["SET 17664", "PRINT BIT(-1)", "INH 99999"] {
+    for statement in ["SET 65536", "PRINT BIT(-1)", "INH 99999"] {
         let faults = Sim::program(statement).faults();
         assert!(faults.len() == 1 && faults[0].ends_with("is no flag of this controller"), "{statement}: {faults:?}");
     }
@@ -54,4 +54,45 @@ fn a_flag_whose_effect_is_not_simulated_leaves_a_note() {
     let ran = Sim::program("SET 796\nSET 16148").run().clean();
     assert_eq!(ran.notes().len(), 2);
     assert!(ran.notes().iter().all(|note| note.ends_with("was set: the dry run does not simulate what it does")));
+}
+
+#[test]
+fn a_number_that_no_document_names_is_memory_with_a_note() {
+    let ran = Sim::program("SET 17670\nPRINT P4648, BIT(17670)\nP20000 = 1.5\nPRINT P20000, P20001").run().clean();
+    assert_eq!(ran.record.output.iter().map(|line| &*line.text).collect::<Vec<_>>(), ["64\t-1", "1.5\t0"]);
+    let named = |name: &str| format!("no document names {name}: it keeps what is written");
+    assert_eq!(ran.notes(), ["BIT17670", "P20000", "P20001", "P4648"].map(named));
+}
+
+#[test]
+fn requests_clear_themselves() {
+    let ran = Sim::program(
+        "SET 11265\nSET 16656\nSET 5647\nINH -11265\nINH -16656\nINH -5647\nP4448 = P4448 OR 2\nPRINT P4448\nSET 10505",
+    )
+    .run()
+    .clean();
+    assert_eq!(ran.record.output[0].text, "0");
+    assert!(ran.bit(10_505), "selecting a datum is no request");
+    assert_eq!(ran.notes().len(), 2, "{:?}", ran.notes());
+}
+
+#[test]
+fn objects_that_the_model_lacks_stay_clear_with_one_note() {
+    let ran = Sim::program("SET 8721\nP14348 = 5\nPRINT BIT(8721), P14348, P14336, P14592\nP14604 = 5").run().clean();
+    assert_eq!(ran.record.output[0].text, "0\t0\t0\t0");
+    let of =
+        |axis: u8| format!("parameters and flags of axis {axis} were written and stay 0: the ACR9000 has axis 0 to 7");
+    assert_eq!(ran.notes(), [of(8), of(9)]);
+    assert_eq!(Sim::program("SET 8721\nPRINT BIT(8721)").model("ACR9030").prints(), ["-1"]);
+}
+
+#[test]
+fn a_kill_reaches_every_axis_of_the_master_and_stays() {
+    let ran =
+        Sim::program("X10\nDWL 0.5\nSET 8467\nPRINT BIT(8467), BIT(8499), BIT(522), BIT(516), BIT(8531)\nY1").run();
+    assert_eq!(ran.record.output[0].text, "-1\t-1\t-1\t0\t0");
+    assert_eq!(ran.record.faults[0].message, "Associated Slave Kill Motion Request Active");
+    assert_eq!(ran.notes(), ["an axis was killed in motion: the dry run stops it without the ramp of HLDEC"]);
+    let recovered = "SET 8467\nCLR 8467\nCLR 8499\nCLR 522\nX1\nINH -516\nPRINT P12288";
+    assert_eq!(Sim::program(recovered).prints(), ["1"]);
 }

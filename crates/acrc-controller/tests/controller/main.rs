@@ -2,6 +2,7 @@
 
 mod attachments;
 mod bits;
+mod catalogue;
 mod extremes;
 mod holds;
 mod memory;
@@ -10,6 +11,7 @@ mod parameters;
 mod programs;
 mod properties;
 mod reports;
+mod settings;
 mod setup;
 mod support;
 mod time;

@@ -106,5 +106,31 @@ fn read_only_parameters_keep_their_value() {
 
 #[test]
 fn a_parameter_without_behaviour_keeps_what_is_written() {
-    assert_eq!(Sim::program("P12348 = 2.5\nPRINT P12348\nPRINT P12349").prints(), ["2.5", "0"]);
+    assert_eq!(Sim::program("P12348 = 2.5\nPRINT P12348\nPRINT P12350").prints(), ["2.5", "0"]);
+}
+
+#[test]
+fn a_written_value_takes_the_form_of_the_parameter() {
+    assert_eq!(
+        Sim::program("P28672 = 1.9\nP12304 = 0.1\nP38912 = 2.5\nP39168 = 2.5\nPRINT P28672, P12304, P38912, P39168")
+            .prints(),
+        ["1\t0.1\t2\t2.5"]
+    );
+    // The form of P12400 is in no document: whole numbers are longs.
+    assert_eq!(Sim::program("P12400 = 2.5\nPRINT P12400\nP12400 = 3\nPRINT P12400").prints(), ["2.5", "3"]);
+    assert_eq!(Sim::program("P12304 = 1E300").faults(), ["P12304 cannot hold 1e+300"]);
+}
+
+#[test]
+fn parameters_have_their_documented_values_at_power_up() {
+    let printed = "PRINT P12304, P12336, P12337, P6402, P6410, P32768, P32773, P33024, P33040";
+    assert_eq!(Sim::program(printed).prints(), ["0.002441406\t10\t-10\t3276.8\t10\t5\t500\t1\t0"]);
+    assert_eq!(Sim::program("P32772 = 20\nPRINT P32773").prints(), ["200"]);
+}
+
+#[test]
+fn a_mask_clears_bits_and_then_sets_others() {
+    assert_eq!(Sim::program("P4097 = 15\nMASK P4097 (3, 48)\nPRINT P4097").prints(), ["60"]);
+    assert_eq!(Sim::program("P0 = 7\nMASK P0 (2, 8)\nPRINT P0").prints(), ["13"]);
+    assert_eq!(Sim::program("MASK P4096 (0, 1)").faults().len(), 1);
 }

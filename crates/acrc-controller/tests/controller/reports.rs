@@ -13,7 +13,7 @@ fn master_settings_report_their_value() {
 #[test]
 fn axis_settings_report_a_line_for_each_axis() {
     assert_eq!(Sim::program("PPU X100 Y200\nPPU X Y\nPPU Y").prints(), ["100", "200", "200"]);
-    assert_eq!(Sim::program("PGAIN X0.25\nPGAIN X Y").prints(), ["0.25", "0"]);
+    assert_eq!(Sim::program("PGAIN X0.25\nPGAIN X Y").prints(), ["0.25", "0.002441406"]);
     assert_eq!(Sim::program("EXC X(2,-1)\nEXC X").prints(), ["2", "-1"]);
 }
 

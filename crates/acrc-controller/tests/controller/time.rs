@@ -132,3 +132,31 @@ fn the_clock_parameter_counts_milliseconds_and_can_be_set() {
     let wrapped = Sim::program("P6916 = 2147483647\nDWL 0.01\nPRINT P6916");
     assert_eq!(wrapped.prints(), ["9"]);
 }
+
+#[test]
+fn a_wait_for_a_parameter_ends_behind_the_setpoint_or_in_time() {
+    assert_eq!(Sim::program("X10\nIHPOS P12290 (4, 0)\nPRINT P12290 > 4, P12290 < 6").prints(), ["-1\t-1"]);
+    assert_eq!(Sim::program("RES X10\nX0\nIHPOS -P12290 (5, 0)\nPRINT P12290 < 5, P12290 > 3").prints(), ["-1\t-1"]);
+    assert_eq!(Sim::program("IHPOS P12290 (4, 5.5)\nPRINT P12290").timed(), ["5500 0"]);
+    // User parameters, too; the timeout does not delay what another program brings about.
+    let text =
+        "SYS\nDIM P(2)\nPROG0\nPROGRAM\nIHPOS P1 (2, 100)\nPRINT P1\nENDP\nPROG1\nPROGRAM\nDWL 3\nP1 = 3\nENDP\n";
+    for watched in [false, true] {
+        let timed = Sim::new(text).start(&[0, 1]).watched(watched).timed();
+        assert!(timed.len() == 1 && timed[0].starts_with("300"), "{timed:?}");
+    }
+}
+
+#[test]
+fn a_wait_for_the_clock_ends_in_time() {
+    for watched in [false, true] {
+        let timed = Sim::program("DWL 0.5\nIHPOS P6916 (2000, 0)\nPRINT P6916").watched(watched).timed();
+        assert_eq!(timed, ["2002 2002"]);
+    }
+}
+
+#[test]
+fn a_wait_for_a_parameter_has_a_setpoint_and_a_timeout() {
+    let fault = "IHPOS: a timeout of -1 seconds is not possible";
+    assert_eq!(Sim::program("IHPOS P12290 (4, -1)").faults(), [fault]);
+}

@@ -1,0 +1,105 @@
+//! Parameters that follow from the state of the machine: positions, scaling, velocity, the clock.
+
+use acrc_catalog::{Law, law};
+use acrc_vm::Value;
+
+use crate::error::ControllerError;
+use crate::machine::Machine;
+
+/// What a parameter follows from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Live {
+    /// Where the axis is, in pulses: its position registers are all equal on an ideal machine that neither jogs nor gears.
+    Position,
+    /// Where the moves given so far will leave it, in pulses.
+    Target,
+    /// Setpoint minus actual position, which an ideal machine keeps at 0.
+    FollowingError,
+    PulsesPerUnit,
+    /// The count of the encoder that measures the axis.
+    Encoder,
+    VectorVelocity,
+    /// Milliseconds since power-up, or since it was set.
+    Clock,
+    /// Ten times the cyclic period of the `CANopen` network.
+    HealthPeriod,
+}
+
+const LIVE: [(Law, Live); 11] = [
+    (law::CURRENT_POSITION, Live::Position),
+    (law::ACTUAL_POSITION, Live::Position),
+    (law::PRIMARY_SETPOINT, Live::Position),
+    (law::SECONDARY_SETPOINT, Live::Position),
+    (law::TARGET_POSITION, Live::Target),
+    (law::FOLLOWING_ERROR, Live::FollowingError),
+    (law::PPU, Live::PulsesPerUnit),
+    (law::ENCODER_POSITION, Live::Encoder),
+    (law::VECTOR_VELOCITY, Live::VectorVelocity),
+    (law::CLOCK_MS, Live::Clock),
+    (law::HEALTH_PERIOD, Live::HealthPeriod),
+];
+
+/// The health period in cyclic periods.
+const CYCLES_OF_HEALTH: i32 = 10;
+
+impl Live {
+    /// What a parameter follows from, if it does.
+    pub(crate) fn of(number: u32) -> Option<Self> {
+        LIVE.iter().find(|(law, _)| law.index_of(number).is_some()).map(|(_, live)| *live)
+    }
+}
+
+impl Machine {
+    /// The value of a parameter of an object. `None` when the model has no such object.
+    pub(super) fn live_parameter(&self, live: Live, object: u8) -> Option<Value> {
+        let axis = self.axes.get(usize::from(object));
+        Some(match live {
+            Live::Position => Value::Long(axis?.pulses(self.position(object))),
+            Live::Target => Value::Long(axis?.pulses(self.target(object))),
+            Live::FollowingError => Value::Long(0),
+            Live::PulsesPerUnit => Value::Single(axis?.pulses_per_unit as f32),
+            Live::Encoder => {
+                let offset = *self.encoder_offsets.get(usize::from(object))?;
+                Value::Long(axis?.pulses(self.position(object)).wrapping_add(offset))
+            }
+            Live::VectorVelocity => {
+                Value::Single(self.masters.get(usize::from(object))?.profiler.vector_velocity() as f32)
+            }
+            Live::Clock => Value::Long(self.clock_milliseconds()),
+            Live::HealthPeriod => {
+                let cycle = self.registers.number(law::CYCLIC_PERIOD.at(0)) as i32;
+                Value::Long(cycle.saturating_mul(CYCLES_OF_HEALTH))
+            }
+        })
+    }
+
+    /// Changes the state of the machine that a parameter follows from. False when a write changes nothing of it.
+    pub(super) fn write_live_parameter(
+        &mut self,
+        live: Live,
+        object: u8,
+        real: f64,
+        long: i32,
+    ) -> Result<bool, ControllerError> {
+        let axis = self.axes.get(usize::from(object));
+        match live {
+            Live::Position | Live::Target => {
+                if let Some(units) = axis.map(|axis| axis.units(real)) {
+                    self.set_position(object, units)?;
+                }
+            }
+            Live::PulsesPerUnit => self.set_pulses_per_unit(object, real)?,
+            Live::Encoder if axis.is_some() => self.set_encoder(object, long),
+            Live::Clock => self.clock_base = (self.clock.ticks(), long),
+            Live::Encoder => return Ok(false),
+            Live::FollowingError | Live::VectorVelocity | Live::HealthPeriod => {}
+        }
+        Ok(true)
+    }
+
+    /// Gives an encoder's register another count without moving its axis.
+    pub(crate) fn set_encoder(&mut self, axis: u8, count: i32) {
+        let actual = self.axes[usize::from(axis)].pulses(self.position(axis));
+        self.encoder_offsets[usize::from(axis)] = count.wrapping_sub(actual);
+    }
+}

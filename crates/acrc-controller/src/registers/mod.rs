@@ -1,0 +1,9 @@
+//! Parameters and flags by number: one memory, whichever way it is reached (guide, "Parameters and Bits").
+
+mod bits;
+mod live;
+mod map;
+mod parameters;
+mod store;
+
+pub(crate) use store::Registers;
