@@ -1,4 +1,4 @@
-//! Texts that a controller is known to send. A virtual controller marks every other text as its own.
+//! Texts that a controller sends: those that are known, and those that a virtual controller words itself ([`Message::is_known`]).
 
 use crate::Confidence;
 use crate::generated::{MESSAGE_BY_ID, MESSAGES};
@@ -44,6 +44,13 @@ pub struct Message {
     pub source: &'static str,
     /// How well it is attested.
     pub confidence: Confidence,
+}
+
+impl Message {
+    /// The controller is known to send this text, word for word.
+    pub fn is_known(&self) -> bool {
+        self.source != "own"
+    }
 }
 
 /// Every message, in the order of the data file.

@@ -36,17 +36,10 @@ impl AliasTable {
     }
 
     fn define(&mut self, file: usize, text: &str, define: &Define, errors: &mut Vec<CompileError>) {
-        let mut encoder = Encoder::new(text, &NoNames);
-        let name = encoder.slice(define.name).to_owned();
-        let target = encoder.expression(&define.operand);
         let mut report = |span, kind| errors.push(CompileError { file, span, kind });
-        let alias_of_alias = |kind| {
-            if matches!(kind, CompileErrorKind::UndefinedAlias(_)) { CompileErrorKind::AliasOperand } else { kind }
-        };
-        let mistaken = !encoder.errors.is_empty();
-        encoder.errors.into_iter().for_each(|(span, kind)| report(span, alias_of_alias(kind)));
-        if !mistaken && !has_place(&target) {
-            report(define.operand.span, CompileErrorKind::AliasOperand);
+        let (Alias { name, target }, mistakes) = read(text, define);
+        for (span, kind) in mistakes {
+            report(span, kind);
         }
         let Some(&place) = self.places.get(&name) else {
             match u16::try_from(self.aliases.len()) {
@@ -69,6 +62,32 @@ impl AliasTable {
             report(define.name, CompileErrorKind::ConflictingAlias { name, first });
         }
     }
+}
+
+/// Reads a definition, as a terminal needs it, where the table is that of a running controller.
+///
+/// # Errors
+/// The mistakes in it.
+pub fn read_alias(text: &str, define: &Define) -> Result<Alias, Vec<CompileErrorKind>> {
+    let (alias, mistakes) = read(text, define);
+    if mistakes.is_empty() { Ok(alias) } else { Err(mistakes.into_iter().map(|(_, kind)| kind).collect()) }
+}
+
+/// The alias that a definition makes, and what is wrong with it.
+fn read(text: &str, define: &Define) -> (Alias, Vec<(Span, CompileErrorKind)>) {
+    let mut encoder = Encoder::new(text, &NoNames);
+    let name = encoder.slice(define.name).to_owned();
+    let target = encoder.expression(&define.operand);
+    let mut mistakes = encoder.errors;
+    for (_, kind) in &mut mistakes {
+        if matches!(kind, CompileErrorKind::UndefinedAlias(_)) {
+            *kind = CompileErrorKind::AliasOperand;
+        }
+    }
+    if mistakes.is_empty() && !has_place(&target) {
+        mistakes.push((define.operand.span, CompileErrorKind::AliasOperand));
+    }
+    (Alias { name, target }, mistakes)
 }
 
 /// Can an alias stand for it?

@@ -21,8 +21,9 @@ mod statement;
 mod stored;
 mod text;
 
+pub use aliases::read_alias;
 pub use diagnostics::codes;
 pub use error::{CompileError, CompileErrorKind};
-pub use project::{SourceUnit, compile};
+pub use project::{SourceUnit, compile, compile_stored};
 pub use scope::{NoNames, Scope, Tables};
-pub use statement::{encode_statement, encode_statements};
+pub use statement::{encode_statement, encode_statements, stored_bytes};

@@ -128,11 +128,7 @@ impl Planner<'_> {
     fn entered(&mut self, file: usize, source: &SourceUnit<'_>, section: &Section) {
         self.install_changed();
         let Some(name) = self.unit_name(file, source, section) else { return };
-        let mut text = StoredText::default();
-        for (number, range) in lines(source, &section.statements) {
-            text.append(StoredLine { number, file, statements: range });
-        }
-        self.texts.insert(name, text);
+        self.texts.insert(name, stored_text(file, source, &section.statements));
         self.install(name, file, section.opener);
     }
 
@@ -198,6 +194,20 @@ impl Planner<'_> {
         }
         name
     }
+}
+
+/// The lines of a file that is a stored text as a whole.
+pub(crate) fn whole(file: usize, source: &SourceUnit<'_>) -> Vec<Part> {
+    let text = stored_text(file, source, &(0..source.tree.statements().len() as u32));
+    text.lines().cloned().map(Part::Line).collect()
+}
+
+fn stored_text(file: usize, source: &SourceUnit<'_>, range: &Range<u32>) -> StoredText {
+    let mut text = StoredText::default();
+    for (number, statements) in lines(source, range) {
+        text.append(StoredLine { number, file, statements });
+    }
+    text
 }
 
 fn level_name(level: Level) -> Option<UnitName> {

@@ -1,13 +1,14 @@
 //! The files of a project to an image.
 
-use acrc_image::{Image, VERSION};
+use acrc_image::{Image, Unit, UnitName, VERSION};
 use acrc_syntax::Tree;
 use acrc_syntax::units::Level;
 
 use crate::aliases::AliasTable;
 use crate::assemble::Assembler;
 use crate::error::CompileError;
-use crate::plan::{Plan, Text};
+use crate::plan::{self, Plan, Text};
+use crate::scope::Tables;
 
 /// A file of a project.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +35,7 @@ pub fn compile(files: &[SourceUnit<'_>], model: &str) -> Result<Image, Vec<Compi
     let plan = Plan::of(files, &mut errors);
     let mut assembler = Assembler::new(files, aliases.places, errors);
     let programs = plan.programs.iter().filter_map(|Text { name, parts }| assembler.unit(*name, parts)).collect();
-    let boot = assembler.unit(acrc_image::UnitName::Boot, &plan.boot);
+    let boot = assembler.unit(UnitName::Boot, &plan.boot);
     let mut errors = assembler.errors;
     // A stored text that numbered lines change later is assembled more than once.
     errors.sort_by_cached_key(|error| (error.file, error.span, error.kind.to_string()));
@@ -49,5 +50,21 @@ pub fn compile(files: &[SourceUnit<'_>], model: &str) -> Result<Image, Vec<Compi
             version: VERSION,
         }),
         _ => Err(errors),
+    }
+}
+
+/// Compiles the stored text of one program by itself, as a controller does with lines that were typed: each line of `text` is a line of the
+/// program, and the aliases are those of `names`. The unit has no debug map.
+///
+/// # Errors
+/// Every mistake, with file 0.
+pub fn compile_stored(name: UnitName, text: &str, tree: &Tree, names: &Tables) -> Result<Unit, Vec<CompileError>> {
+    let file = SourceUnit { name: "", text, tree, start: Level::System, implicit_program: true };
+    let files = [file];
+    let mut assembler = Assembler::new(&files, names.aliases.clone(), Vec::new());
+    let parts = plan::whole(0, &file);
+    match assembler.unit(name, &parts) {
+        Some(unit) if assembler.errors.is_empty() => Ok(Unit { debug: None, ..unit }),
+        _ => Err(assembler.errors),
     }
 }

@@ -24,6 +24,19 @@ impl Scope for NoNames {
     }
 }
 
+/// A scope in which every name means something, for who asks only what a statement costs.
+pub(crate) struct AnyNames;
+
+impl Scope for AnyNames {
+    fn alias(&self, _name: &str) -> Option<u16> {
+        Some(0)
+    }
+
+    fn label(&self, _name: &str) -> Option<u16> {
+        Some(0)
+    }
+}
+
 /// A scope of two tables.
 #[derive(Clone, Debug, Default)]
 pub struct Tables {

@@ -10,7 +10,7 @@ use acrc_syntax::ast::{self, Argument, Command, Dim, For, Input, Print, PrintSep
 
 use crate::encoder::Encoder;
 use crate::error::{CompileError, CompileErrorKind};
-use crate::scope::Scope;
+use crate::scope::{AnyNames, Scope};
 use crate::text;
 
 /// Encodes statements by themselves, as a terminal needs them. Addresses count from the first of them.
@@ -53,6 +53,24 @@ pub fn encode_statement(
         Some(encoded) if encoder.errors.is_empty() => Ok(encoded),
         _ => Err(encoder.errors.into_iter().map(|(_, kind)| kind).collect()),
     }
+}
+
+/// What statements that follow each other take of program memory when they are stored. Names that nothing defines yet cost what others cost.
+///
+/// # Errors
+/// The mistakes in them.
+pub fn stored_bytes(text: &str, statements: &[Statement]) -> Result<u32, Vec<CompileErrorKind>> {
+    let mut encoder = Encoder::new(text, &AnyNames);
+    let mut builder = UnitBuilder::new(UnitName::Boot);
+    for statement in statements {
+        if let Some((command, items)) = encoder.statement(statement) {
+            encoder.push(&mut builder, statement.span, separator(statement.separator), command, &items);
+        }
+    }
+    if encoder.errors.is_empty() {
+        return Ok(builder.memory());
+    }
+    Err(encoder.errors.into_iter().map(|(_, kind)| kind).collect())
 }
 
 /// How a statement is set off.

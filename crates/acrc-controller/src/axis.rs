@@ -12,6 +12,8 @@ pub(crate) struct Axis {
     pub(crate) rest_position: f64,
     /// Where it is attached: master and slave slot.
     pub(crate) slave: Option<SlaveSlot>,
+    /// What `ATTACH AXIS` connected it to, as `ATTACH` reports it; `None` for the factory's.
+    pub(crate) signals: Option<String>,
     /// The drive has been enabled at least once.
     pub(crate) was_enabled: bool,
     /// What a run reports of it.
@@ -44,6 +46,7 @@ impl Axis {
             pulses_per_unit: 1.0,
             rest_position: 0.0,
             slave: None,
+            signals: None,
             was_enabled: false,
             statistics: AxisStatistics::default(),
         }

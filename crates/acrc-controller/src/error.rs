@@ -1,12 +1,15 @@
 //! What the controller refuses, with the texts of the controller where they are known (`docs/fidelity.md`, error texts).
 
-use acrc_catalog::CommandId;
+use acrc_catalog::{CommandId, MessageId};
 use acrc_vm::FaultKind;
 use thiserror::Error;
 
 /// Why a statement could not be executed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ControllerError {
+    /// A text of the catalogue, with nothing to add.
+    #[error("{}", .0.text())]
+    Said(MessageId),
     /// The controller's text for a block that has memory already.
     #[error("Re-dimensioned block: {block} has {bytes} bytes already; CLEAR frees them")]
     Redimensioned {
@@ -37,6 +40,24 @@ pub enum ControllerError {
         /// Bytes of its text.
         needed: u64,
         /// Bytes of its space.
+        available: u64,
+    },
+    /// An alias without room in the table.
+    #[error("there is no room for the alias {name}: DIM DEF({room}) gives {room}")]
+    AliasTableFull {
+        /// Its name.
+        name: String,
+        /// How many the table holds.
+        room: u32,
+    },
+    /// A text that was entered does not fit its space.
+    #[error("{program} needs {needed} bytes but DIM {program} gives {available}")]
+    TextTooLarge {
+        /// `PROG0`, `PLC1`.
+        program: String,
+        /// Bytes of the text.
+        needed: u64,
+        /// Bytes of the space.
         available: u64,
     },
     /// A user parameter without memory.
@@ -141,9 +162,6 @@ pub enum ControllerError {
         /// The flag.
         bit: u32,
     },
-    /// A move while an axis of the master has its Kill All Motion Request; the controller's text.
-    #[error("Associated Slave Kill Motion Request Active")]
-    MotionKilled,
     /// A move that the profiler refuses.
     #[error("{0}")]
     Move(String),

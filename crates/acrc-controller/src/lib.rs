@@ -7,6 +7,7 @@
 //! What is simulated and what is assumed is listed in `docs/fidelity.md`. A command outside of that is refused before a run starts
 //! ([`Controller::unsupported`]); it is never skipped.
 
+mod aliases;
 mod axis;
 mod command;
 mod controller;
@@ -16,12 +17,15 @@ mod host;
 mod machine;
 mod master;
 mod memory;
+mod network;
 mod orders;
 mod program;
 mod registers;
 mod report;
+mod request;
 mod scheduler;
 mod settings;
+mod terminal;
 pub mod time;
 pub mod world;
 
@@ -31,3 +35,4 @@ pub use error::ControllerError;
 pub use master::MasterStatistics;
 pub use program::State;
 pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};
+pub use terminal::{ChannelId, PromptState, StreamError, StreamName};

@@ -7,31 +7,20 @@ use acrc_catalog::{Model, law};
 use acrc_image::AxisName;
 use acrc_motion::{HoldState, Master as Profiler};
 use acrc_syntax::units::Level;
+use acrc_vm::Text;
 
 use crate::axis::{Axis, SlaveSlot};
 use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
 use crate::memory::{Block, SystemMemory};
+use crate::network::Network;
 use crate::registers::Registers;
+use crate::request::Request;
 use crate::settings::Settings;
+use crate::terminal::Terminal;
 use crate::time::Clock;
 use crate::world::World;
-
-/// What a program asks of the scheduler; carried out when its statement is over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Request {
-    Run(u8),
-    Halt(u8),
-    Pause(u8),
-    Resume(u8),
-    /// Erase the text of a program.
-    New(u8),
-    /// Give the memory of all variables back (`CLEAR` at the system prompt).
-    ClearAllLocals,
-    /// Install stored text: index into the image's programs.
-    Install(usize),
-}
 
 /// The attachments and run state of one program, as other programs and flags see them.
 #[derive(Clone, Debug, Default)]
@@ -58,8 +47,15 @@ pub(crate) struct Machine {
     pub(crate) encoder_offsets: Vec<i32>,
     /// Tick at which the clock parameter was last set, and to what.
     pub(crate) clock_base: (u64, i32),
-    /// The prompt level at which the setup code stands.
+    /// The prompt level of the immediate statement that is being executed: of the setup code, or of the channel that typed it.
     pub(crate) level: Level,
+    pub(crate) terminal: Terminal,
+    /// The texts of `IP`: address, mask and gateway.
+    pub(crate) network: Network,
+    /// What protects the programs from `LIST` (`PASSWORD`).
+    pub(crate) password: Option<Text>,
+    /// The hardware of `CONFIG` where it is not that of the factory.
+    pub(crate) config: Option<String>,
     pub(crate) requests: Vec<Request>,
     /// What the run relied on without proof, or left out; each said once.
     pub(crate) notes: BTreeSet<String>,
@@ -83,6 +79,10 @@ impl Machine {
             encoder_offsets: vec![0; usize::from(model.axes)],
             clock_base: (0, 0),
             level: Level::System,
+            terminal: Terminal::default(),
+            network: Network::of(model),
+            password: None,
+            config: None,
             requests: Vec::new(),
             notes: BTreeSet::new(),
             random: seed,

@@ -87,6 +87,11 @@ impl SystemMemory {
         self.blocks.get(&block).copied()
     }
 
+    /// Every block with its bytes.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = (Block, u32)> {
+        self.blocks.iter().map(|(block, bytes)| (*block, *bytes))
+    }
+
     /// Bytes that no block has.
     pub(crate) fn free(&self) -> u32 {
         self.total.saturating_sub(self.blocks.values().sum())

@@ -1,6 +1,9 @@
 //! One program slot: stored text, variables, place of execution.
 
+use acrc_image::Unit;
 use acrc_vm::{Code, Frame, Locals};
+
+use crate::terminal::StoredText;
 
 /// Where a program is in its life.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,8 +63,12 @@ impl Watch {
 pub(crate) struct Program {
     /// Bytes of its stored text.
     pub(crate) text_bytes: u64,
-    /// Its stored text, decoded.
+    /// Its stored text.
+    pub(crate) unit: Option<Unit>,
+    /// Its stored text, decoded; `None` when it cannot be executed.
     pub(crate) code: Option<Code>,
+    /// The lines of its text after they were edited, until they are compiled; `unit` is what they were before.
+    pub(crate) edited: Option<StoredText>,
     pub(crate) frame: Frame,
     pub(crate) locals: Locals,
     pub(crate) state: State,
@@ -78,7 +85,9 @@ impl Program {
     pub(crate) fn new() -> Self {
         Self {
             text_bytes: 0,
+            unit: None,
             code: None,
+            edited: None,
             frame: Frame::new(),
             locals: Locals::new(0),
             state: State::Idle,
@@ -87,6 +96,16 @@ impl Program {
             waited_at: 0,
             statements: 0,
         }
+    }
+
+    /// Whether it has text.
+    pub(crate) fn has_text(&self) -> bool {
+        self.edited.as_ref().map_or(self.unit.is_some(), |text| !text.is_empty())
+    }
+
+    /// It has been started and has not ended, so that its text cannot be changed.
+    pub(crate) fn is_going(&self) -> bool {
+        self.state.is_active() || self.state == State::Paused
     }
 
     /// Gives its variables what its space has left beside its text.

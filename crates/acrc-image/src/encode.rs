@@ -8,7 +8,7 @@ use crate::field::{Kind, fit};
 use crate::instruction::{Instruction, Item, Separator};
 use crate::layout::{self, CommandWord, END, FIRST_FIELD, FieldWriter, MANY, SLOTS, Slot, TAG_BITS};
 use crate::node::{Node, Role};
-use crate::unit::{Unit, UnitName};
+use crate::unit::{Unit, UnitName, memory};
 use crate::verify::{self, Labels};
 use crate::{MAX_DEPTH, instruction::Mark};
 
@@ -60,6 +60,11 @@ impl UnitBuilder {
     /// Says where the statement at `address` stands in the source.
     pub fn locate(&mut self, address: u32, location: Location) {
         self.debug.get_or_insert_default().push(address, location);
+    }
+
+    /// The memory that the statements added so far take, in bytes ([`Unit::memory`]).
+    pub fn memory(&self) -> u32 {
+        memory(&self.out.words, &self.out.strings)
     }
 
     /// The unit.

@@ -56,8 +56,7 @@ pub struct LabelDefinition {
 impl Unit {
     /// The memory that the text takes in a controller, in bytes: 4 a word and 1 a character, which is the guide's table ("How Much Memory?").
     pub fn memory(&self) -> u32 {
-        let bytes = 4 * self.words.len() as u64 + self.strings.len() as u64;
-        u32::try_from(bytes).unwrap_or(u32::MAX)
+        memory(&self.words, &self.strings)
     }
 
     /// The labels, in the order of their numbers.
@@ -75,4 +74,10 @@ impl Unit {
         });
         Ok(named.collect())
     }
+}
+
+/// The memory that words and the characters of texts take.
+pub(crate) fn memory(words: &[u32], strings: &[u8]) -> u32 {
+    let bytes = 4 * words.len() as u64 + strings.len() as u64;
+    u32::try_from(bytes).unwrap_or(u32::MAX)
 }

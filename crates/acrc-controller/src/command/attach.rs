@@ -4,6 +4,7 @@ use acrc_catalog::{ObjectKind, command};
 use acrc_image::AxisName;
 use acrc_vm::{Arg, Call, Outcome, Value};
 
+use super::reports::hardware_word;
 use super::{Action, Context, Entry};
 use crate::axis::SlaveSlot;
 use crate::error::ControllerError;
@@ -18,10 +19,12 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::DETACH_ALL, Action::Run(detach_all)),
 ];
 
-/// Which encoder and output an axis uses does not matter to an ideal machine; the axis must exist.
+/// Which encoder and output an axis uses does not matter to an ideal machine; the axis must exist, and `ATTACH` reports what was said.
 fn attach_axis(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let index = object(call, 0, ObjectKind::Axis)?;
-    context.axis(index)?;
+    let axis = context.axis(index)?;
+    let signals: Vec<String> = call.arguments.iter().skip(1).filter_map(hardware_word).collect();
+    context.machine.axes[usize::from(axis)].signals = Some(signals.join(" "));
     Ok(Outcome::Done)
 }
 

@@ -1,10 +1,14 @@
 //! Character output (guide, "Character I/O").
 
 use acrc_catalog::command;
+use acrc_syntax::units::Level;
 use acrc_vm::{Call, Outcome, Value, format};
 
 use super::{Action, Context, Entry};
+use crate::controller::Observer;
 use crate::error::ControllerError;
+use crate::machine::Machine;
+use crate::request::Origin;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::PRINT, Action::Run(print)),
@@ -19,12 +23,31 @@ fn print(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
     Ok(Outcome::Done)
 }
 
+/// Sends bytes, which are Latin-1, to a device. What belongs to device 0 goes to the channel that typed the command, or to those who listen to
+/// the program; whoever watches the run sees what no channel asked for.
+pub(crate) fn deliver(machine: &mut Machine, observer: &mut dyn Observer, origin: Origin, device: i32, bytes: &[u8]) {
+    if device == 0
+        && let Some(channel) = origin.channel
+    {
+        machine.terminal.send(channel, bytes);
+        return;
+    }
+    let program = match origin.level {
+        Level::Program(number) => Some(number),
+        Level::System | Level::Plc(_) => None,
+    };
+    if let (0, false, Some(program)) = (device, origin.immediate, program) {
+        machine.terminal.tell_listeners(program, bytes);
+    }
+    let text: String = bytes.iter().map(|byte| char::from(*byte)).collect();
+    observer.output(machine.clock.seconds(), program, device, &text);
+}
+
 impl Context<'_> {
     /// Sends bytes, which are Latin-1, to a device.
     pub(super) fn output(&mut self, device: i32, bytes: &[u8]) {
-        let text: String = bytes.iter().map(|byte| char::from(*byte)).collect();
-        let seconds = self.machine.clock.seconds();
-        self.observer.output(seconds, self.program, device, &text);
+        let origin = self.origin();
+        deliver(self.machine, self.observer, origin, device, bytes);
     }
 
     /// The answer of a command that was given without its value.

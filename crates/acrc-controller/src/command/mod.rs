@@ -5,23 +5,31 @@
 mod arguments;
 mod attach;
 mod axis;
+mod channel;
 mod io;
 mod logic;
 mod moves;
 mod profile;
+mod reports;
 mod settings;
 mod stored;
 mod system;
+mod typed;
 
 use std::sync::LazyLock;
 
 use acrc_catalog::{CommandId, all_commands};
+use acrc_syntax::units::Level;
 use acrc_vm::{Call, Outcome};
 
 use crate::controller::{Observer, Pace};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::program::Watch;
+use crate::request::{Origin, Query, Request};
+use crate::terminal::ChannelId;
+
+pub(crate) use io::deliver;
 
 /// What a command handler works on.
 pub(crate) struct Context<'a> {
@@ -35,8 +43,10 @@ pub(crate) struct Context<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// When the lines of the program are executed.
     pub(crate) pace: Pace,
-    /// The command is setup code, not part of a running program.
+    /// The command is typed or setup code, not part of a running program.
     pub(crate) immediate: bool,
+    /// The channel at which it was typed.
+    pub(crate) channel: Option<ChannelId>,
 }
 
 type Handler = fn(&mut Context, &Call) -> Result<Outcome, ControllerError>;
@@ -46,6 +56,8 @@ type Handler = fn(&mut Context, &Call) -> Result<Outcome, ControllerError>;
 enum Action {
     /// By a function.
     Run(Handler),
+    /// It answers, whatever stands behind it.
+    Answer(fn(&mut Context)),
     /// It only matters to the real controller (saving, communication): nothing to do in a dry run.
     Nothing,
 }
@@ -57,10 +69,12 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
     let tables = [
         attach::COMMANDS,
         axis::COMMANDS,
+        channel::COMMANDS,
         io::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,
         profile::COMMANDS,
+        reports::COMMANDS,
         settings::COMMANDS,
         stored::COMMANDS,
         system::COMMANDS,
@@ -90,11 +104,32 @@ fn action(command: CommandId) -> Option<Action> {
 impl Context<'_> {
     /// Executes one command.
     pub(crate) fn execute(&mut self, call: &Call) -> Result<Outcome, ControllerError> {
-        match action(call.command) {
+        if self.channel.is_some() {
+            typed::admit(call, self.machine.level)?;
+        }
+        let done = match action(call.command) {
             Some(Action::Run(handler)) => handler(self, call),
+            Some(Action::Answer(answer)) => {
+                answer(self);
+                Ok(Outcome::Done)
+            }
             Some(Action::Nothing) => Ok(Outcome::Done),
             None => Err(ControllerError::NotSimulated(call.command)),
-        }
+        };
+        if self.channel.is_some() { done.map_err(|error| typed::refusal(call, error)) } else { done }
+    }
+
+    /// Asks the controller for an answer that its programs give.
+    fn ask(&mut self, query: Query) {
+        let origin = self.origin();
+        self.machine.requests.push(Request::Report(query, origin));
+    }
+
+    /// Who gave the command.
+    fn origin(&self) -> Origin {
+        let level =
+            if self.immediate { self.machine.level } else { self.program.map_or(Level::System, Level::Program) };
+        Origin { level, channel: self.channel, immediate: self.immediate }
     }
 
     /// The program, for commands that need one.

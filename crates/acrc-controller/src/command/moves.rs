@@ -1,6 +1,6 @@
 //! Coordinated moves (guide, "Making Motion").
 
-use acrc_catalog::{ObjectKind, command, law};
+use acrc_catalog::{ObjectKind, command, law, message};
 use acrc_motion::{Move, PushError, Target};
 use acrc_vm::{Arg, ArgValue, Call, Outcome};
 
@@ -16,7 +16,7 @@ fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
     let master = usize::from(context.machine.master_of(program)?);
     let kamr = |axis| context.machine.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
     if context.machine.masters[master].attached().any(|(_, axis)| kamr(axis)) {
-        return Err(ControllerError::MotionKilled);
+        return Err(ControllerError::Said(message::SLAVE_KILLED));
     }
     let killed = law::KILL_ALL_MOVES.at(master as u32);
     if context.machine.flags.get(killed) {

@@ -21,11 +21,9 @@ pub(super) const COMMANDS: &[Entry] = &[
     nothing(command::PLS_OFF),
     nothing(command::PLS_RES),
     nothing(command::RATCH_RES),
-    // Hardware, saving and the terminal's own settings.
+    // Hardware and saving.
     nothing(command::AXIS_ON),
     nothing(command::AXIS_OFF),
-    nothing(command::CONFIG),
-    nothing(command::CONFIG_CLEAR),
     nothing(command::ESAVE),
     nothing(command::ELOAD),
     nothing(command::ERASE),
@@ -33,6 +31,4 @@ pub(super) const COMMANDS: &[Entry] = &[
     nothing(command::FLASH_SAVE),
     nothing(command::FLASH_IMAGE),
     nothing(command::FLASH_RES),
-    nothing(command::ECHO),
-    nothing(command::MODE),
 ];

@@ -7,8 +7,9 @@ use acrc_vm::{Arg, Call, Outcome};
 use super::arguments::{real, scalar};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
-use crate::machine::{Machine, Request};
+use crate::machine::Machine;
 use crate::memory::Block;
+use crate::request::{Query, Request};
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::SYS, Action::Run(level)),
@@ -19,7 +20,8 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::END, Action::Nothing),
     (command::ENDP, Action::Nothing),
     (command::RUN, Action::Run(control)),
-    (command::LRUN, Action::Run(control)),
+    (command::LRUN, Action::Run(listen)),
+    (command::LISTEN, Action::Run(listen)),
     (command::HALT, Action::Run(control)),
     (command::PAUSE, Action::Run(control)),
     (command::RESUME, Action::Run(control)),
@@ -93,11 +95,26 @@ fn control(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
     })
 }
 
+/// `LRUN` and `LISTEN` show the output of a program at the channel that typed them. In a program and in setup code nobody listens.
+fn listen(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let &[program] = &context.programs(call)?[..] else {
+        return Err(ControllerError::Expected { command: call.command.info().name, expected: "one program" });
+    };
+    let channel = context.channel.and_then(|id| context.machine.terminal.get_mut(id));
+    if let Some(channel) = channel {
+        channel.listening = Some(program);
+    }
+    if call.command == command::LRUN { control(context, call) } else { Ok(Outcome::Done) }
+}
+
 /// `CLEAR` at the system prompt frees all system memory, at a program prompt the program's variables.
 fn clear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     match (context.program, context.machine.level) {
         (None, Level::System) => {
             context.machine.memory.clear();
+            if context.channel.is_some() {
+                context.machine.requests.push(Request::ForgetAliases);
+            }
             context.machine.requests.push(Request::ClearAllLocals);
         }
         // The VM clears the variables of the program.
@@ -111,6 +128,10 @@ fn clear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
 
 fn dimension(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
+    if call.arguments.is_empty() {
+        context.ask(Query::Dimensions);
+        return Ok(Outcome::Done);
+    }
     if context.program.is_some() {
         return Err(ControllerError::WrongLevel { command, level: "program".to_owned() });
     }

@@ -7,6 +7,7 @@
 
 use super::{Controller, Observer};
 use crate::scheduler::HIGH_PROGRAMS;
+use crate::terminal::Demand;
 
 /// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
 pub(crate) const LINES_PER_SLICE: u32 = 4;
@@ -83,7 +84,12 @@ impl Controller {
         }
         let mut until = self.machine.next_event_tick().map_or(end, |tick| tick.min(end));
         let mut ring = 1;
-        let mut awaited = false;
+        let mut awaited = self.machine.terminal.channels().any(|channel| channel.typed.is_some());
+        match self.channel_demand() {
+            Demand::Now => return here,
+            Demand::At(tick) => until = until.min(tick),
+            Demand::Nothing => {}
+        }
         for (other, program) in self.programs.iter().enumerate().filter(|(_, program)| program.state.is_active()) {
             ring += 1;
             if other == number {
@@ -94,7 +100,7 @@ impl Controller {
             if !high || !program.waits(self.changes) {
                 return here;
             }
-            until = program.release.map_or(until, |release| release.min(until));
+            until = program.release.into_iter().chain(program.watch.ticks()).fold(until, u64::min);
             awaited |= program.release.is_none();
         }
         let stride = ring * self.machine.clock.slice_ticks();

@@ -2,11 +2,14 @@
 
 mod ahead;
 mod check;
+mod edit;
 mod observer;
+mod queries;
 mod reports;
 mod requests;
 mod run;
 mod setup;
+mod terminal;
 mod view;
 
 use std::sync::Arc;
@@ -21,6 +24,7 @@ pub use observer::Observer;
 pub use run::Stopped;
 pub use view::View;
 
+use crate::aliases::Aliases;
 use crate::machine::Machine;
 use crate::program::{Program, Watch};
 use crate::report::FaultReport;
@@ -42,8 +46,15 @@ pub struct Controller {
     machine: Machine,
     programs: Vec<Program>,
     scheduler: Scheduler,
+    /// Stored texts of PLC programs.
+    plcs: Vec<Program>,
     image: Arc<Image>,
+    aliases: Aliases,
     boot: Boot,
+    /// Programs to be started when the setup code is done.
+    to_start: Vec<u8>,
+    /// The tick at which power came on is over.
+    powered: bool,
     /// Events of the world that the observer has been told of.
     reported_events: usize,
     /// Counts what could end a program's waiting.
@@ -77,7 +88,11 @@ impl Controller {
         machine.apply_events();
         Ok(Self {
             programs: (0..model.programs).map(|_| Program::new()).collect(),
+            plcs: (0..model.plcs).map(|_| Program::new()).collect(),
             scheduler: Scheduler::new(),
+            aliases: Aliases::new(&image.aliases),
+            to_start: Vec::new(),
+            powered: false,
             boot: Boot {
                 code,
                 frame: Frame::new(),

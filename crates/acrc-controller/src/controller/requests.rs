@@ -6,10 +6,10 @@ use acrc_vm::{Code, Doubt, LoadError, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
-use crate::machine::Request;
 use crate::orders::Order;
 use crate::program::{Program, State};
 use crate::report::FaultReport;
+use crate::request::Request;
 
 /// Why a program is not stored.
 enum Refusal {
@@ -35,7 +35,7 @@ impl Controller {
     pub(super) fn apply(&mut self, request: Request, observer: &mut dyn Observer) {
         self.changes += 1;
         match request {
-            Request::Run(number) => self.start(number),
+            Request::Run(number) => self.start(number, observer),
             Request::Halt(number) => self.halt(number),
             Request::Pause(number) => self.pause(number),
             Request::Resume(number) => self.resume(number),
@@ -43,6 +43,8 @@ impl Controller {
                 self.halt(number);
                 self.programs[usize::from(number)] = Program::new();
             }
+            Request::ForgetAliases => self.aliases.clear(),
+            Request::Report(query, origin) => self.answer(query, origin, observer),
             Request::ClearAllLocals => self.programs.iter_mut().for_each(|program| program.locals.clear()),
             Request::Install(index) => {
                 if let Err(refusal) = self.install(index) {
@@ -73,6 +75,11 @@ impl Controller {
             self.machine
                 .notes
                 .insert(format!("{} has a program: the dry run does not execute PLC programs", unit.name));
+            if let UnitName::Plc(number) = unit.name
+                && let Some(plc) = self.plcs.get_mut(usize::from(number))
+            {
+                *plc = Program { unit: Some(unit.clone()), text_bytes: u64::from(unit.memory()), ..Program::new() };
+            }
             return Ok(());
         };
         let Some(program) = self.programs.get_mut(usize::from(number)) else {
@@ -89,17 +96,24 @@ impl Controller {
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
+        program.unit = Some(unit.clone());
         program.code = Some(code);
+        program.edited = None;
         program.text_bytes = needed;
         program.set_space(available);
         Ok(())
     }
 
     /// Starts a program that has text; as on the controller, one that has none simply does not run.
-    fn start(&mut self, number: u8) {
-        let Some(program) = self.programs.get_mut(usize::from(number)).filter(|program| program.code.is_some()) else {
+    fn start(&mut self, number: u8, observer: &mut dyn Observer) {
+        if !self.programs.get(usize::from(number)).is_some_and(Program::has_text) {
             return;
-        };
+        }
+        if let Err(flaws) = self.prepare(number) {
+            self.refuse_start(number, &flaws, observer);
+            return;
+        }
+        let program = &mut self.programs[usize::from(number)];
         let held = program.state == State::Paused;
         program.start();
         if held {

@@ -5,8 +5,9 @@ use acrc_vm::{Budget, Stop};
 use super::ahead::{LINES_PER_SLICE, Pace};
 use super::{Controller, Observer, View};
 use crate::command::Context;
-use crate::machine::Request;
 use crate::program::{Program, State};
+use crate::request::Request;
+use crate::terminal::Demand;
 
 /// Quiet ticks that are shown to an observer before the run looks whether it is to end.
 const WATCHED_TICKS: u64 = 10_000;
@@ -25,22 +26,14 @@ pub enum Stopped {
 impl Controller {
     /// Boots, starts the given programs and runs until everything has ended, `until` seconds are over, or the observer ends the run.
     pub fn run(&mut self, start: &[u8], until: f64, observer: &mut dyn Observer) -> Stopped {
-        let mut started = false;
+        self.start_after_setup(start);
+        self.powered = true;
         self.report_events(observer);
         loop {
-            self.execute_setup(observer);
+            self.prepare_tick(observer);
             // `PERIOD` in the setup code changes how many ticks a time takes.
             let end = self.machine.clock.tick_at(until);
-            if self.boot.done && !started {
-                started = true;
-                for program in start {
-                    self.apply(Request::Run(*program), observer);
-                }
-            }
-            if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
-                self.slice(end, observer);
-            }
-            observer.tick(&self.view());
+            self.execute_tick(end, observer);
             if self.is_over() {
                 self.machine.settle();
                 return Stopped::Ended;
@@ -53,6 +46,56 @@ impl Controller {
             }
             self.advance(end, observer);
         }
+    }
+
+    /// Says which programs are started when the setup code is done: at power-up those that begin with `PBOOT`
+    /// ([`Controller::boot_programs`]).
+    pub fn start_after_setup(&mut self, programs: &[u8]) {
+        self.to_start = programs.to_vec();
+    }
+
+    /// Lets time pass up to a tick, for a driver that delivers what is typed in between. Unlike [`Controller::run`] it does not end when
+    /// nothing runs and nothing moves: an idle controller passes the time, which costs nothing.
+    pub fn run_until(&mut self, tick: u64, observer: &mut dyn Observer) {
+        if !self.powered {
+            self.powered = true;
+            self.report_events(observer);
+            self.prepare_tick(observer);
+            self.execute_tick(tick, observer);
+        }
+        while self.machine.clock.ticks() < tick && !observer.interrupted() {
+            self.advance(tick, observer);
+            self.prepare_tick(observer);
+            self.execute_tick(tick, observer);
+        }
+    }
+
+    /// Lets a number of ticks pass.
+    pub fn step(&mut self, ticks: u64, observer: &mut dyn Observer) {
+        self.run_until(self.machine.clock.ticks() + ticks, observer);
+    }
+
+    /// Setup code, and the programs that are started behind it.
+    fn prepare_tick(&mut self, observer: &mut dyn Observer) {
+        self.execute_setup(observer);
+        if self.boot.done {
+            for program in std::mem::take(&mut self.to_start) {
+                self.apply(Request::Run(program), observer);
+            }
+        }
+    }
+
+    /// What happens at the present tick besides motion: a slice. `end` is the last tick of the run.
+    fn execute_tick(&mut self, end: u64, observer: &mut dyn Observer) {
+        if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
+            self.slice(end, observer);
+        }
+        observer.tick(&self.view());
+    }
+
+    /// Whether nothing goes on: setup code is done, no program runs, nothing moves, and every channel has been answered.
+    pub fn is_idle(&self) -> bool {
+        self.is_over() && self.channel_demand() == Demand::Nothing
     }
 
     /// Nothing runs and nothing moves.
@@ -109,13 +152,18 @@ impl Controller {
         let boot_waits =
             self.boot.done || self.boot.waiting && (self.boot.release.is_some() || self.boot.waited_at == self.changes);
         let quiet = |program: &Program| !program.state.is_active() || program.waits(self.changes);
+        let typed = match self.channel_demand() {
+            Demand::Now if self.boot.done => return None,
+            Demand::At(tick) => Some(tick),
+            Demand::Now | Demand::Nothing => None,
+        };
         if self.machine.in_motion() || !boot_waits || !self.programs.iter().all(quiet) {
             return None;
         }
         let active = || self.programs.iter().filter(|program| program.state.is_active());
         let releases = active().filter_map(|program| program.release).chain(self.boot.release);
         let watches = active().flat_map(|program| program.watch.ticks()).chain(self.boot.watch.ticks());
-        releases.chain(watches).chain(self.machine.next_event_tick()).chain([end]).min()
+        releases.chain(watches).chain(typed).chain(self.machine.next_event_tick()).chain([end]).min()
     }
 
     fn running(&self) -> Vec<bool> {
@@ -125,7 +173,12 @@ impl Controller {
     /// Gives the next program its slice, and as many of those to come as nobody would notice. `end` is the last tick of the run.
     fn slice(&mut self, end: u64, observer: &mut dyn Observer) {
         let running = self.running();
-        let Some(number) = self.scheduler.next(&running) else { return };
+        let Some(number) = self.scheduler.next(&running) else {
+            if self.boot.done {
+                self.communicate(observer);
+            }
+            return;
+        };
         let mut pace = self.pace(number, end, observer);
         let mut lines = pace.budget();
         while lines > 0 {
@@ -154,6 +207,7 @@ impl Controller {
             observer,
             pace,
             immediate: false,
+            channel: None,
         };
         let run = acrc_vm::run(code, &mut program.frame, &mut program.locals, &mut context, Budget::lines(lines));
         context.pace.reach(run.used);
@@ -174,6 +228,7 @@ impl Controller {
             let location = code.location(fault.pc);
             let report = self.fault_report(Some(number as u8), location, fault.to_string());
             self.faulted = true;
+            self.tell_fault(number as u8, location, &report.message);
             observer.fault(&report);
         }
         if !self.programs[number].state.is_active() {

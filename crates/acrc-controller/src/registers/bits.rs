@@ -5,8 +5,9 @@ use acrc_catalog::{bit, law};
 use super::map::{Effect, map};
 use crate::error::ControllerError;
 use crate::flags::{FIRST_WORD, Flags};
-use crate::machine::{Machine, Request};
+use crate::machine::Machine;
 use crate::orders::Order;
+use crate::request::Request;
 
 impl Machine {
     /// State of a flag.

@@ -1,0 +1,80 @@
+//! The alias table of a running controller (guide, "Aliases").
+//!
+//! Stored programs refer to entries by their place, so entries stay; what a name means to statements that are typed from now on is a table of
+//! its own. A name that is defined again gets another entry, and programs that are stored already keep the meaning they were stored with.
+
+use acrc_catalog::memory;
+use acrc_compile::{Scope, Tables};
+use acrc_image::Alias;
+
+use crate::error::ControllerError;
+use crate::memory::{Block, SystemMemory};
+
+/// The aliases of a controller.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Aliases {
+    entries: Vec<Alias>,
+    names: Tables,
+}
+
+impl Aliases {
+    /// Those of an image.
+    pub(crate) fn new(entries: &[Alias]) -> Self {
+        let mut aliases = Self::default();
+        for entry in entries {
+            aliases.add(entry.clone());
+        }
+        aliases
+    }
+
+    /// Every entry, also those whose names mean something else by now.
+    pub(crate) fn entries(&self) -> &[Alias] {
+        &self.entries
+    }
+
+    /// What the names mean.
+    pub(crate) fn names(&self) -> &Tables {
+        &self.names
+    }
+
+    /// The aliases that can be used, in the order of their definitions.
+    pub(crate) fn known(&self) -> impl Iterator<Item = &Alias> {
+        let entries = self.entries.iter().enumerate();
+        entries
+            .filter(|(place, alias)| self.names.alias(&alias.name).map(usize::from) == Some(*place))
+            .map(|(_, alias)| alias)
+    }
+
+    /// `#DEFINE` at a prompt: needs room in the table that `DIM DEF` gives.
+    pub(crate) fn define(&mut self, alias: Alias, memory: &SystemMemory) -> Result<(), ControllerError> {
+        if let Some(place) = self.names.alias(&alias.name)
+            && self.entries.get(usize::from(place)) == Some(&alias)
+        {
+            return Ok(());
+        }
+        let used = self.names.aliases.len() as u64 + u64::from(self.names.alias(&alias.name).is_none());
+        let room = memory.size(Block::Aliases).unwrap_or(0);
+        if memory::ALIASES.bytes(used, 0) > u64::from(room) || self.entries.len() > usize::from(u16::MAX) {
+            return Err(ControllerError::AliasTableFull { name: alias.name, room: alias_count(room) });
+        }
+        self.add(alias);
+        Ok(())
+    }
+
+    /// `CLEAR` at a system prompt: the names mean nothing any more.
+    pub(crate) fn clear(&mut self) {
+        self.names.aliases.clear();
+    }
+
+    fn add(&mut self, alias: Alias) {
+        // The image format and `define` keep the table within 16 bits.
+        let place = self.entries.len() as u16;
+        self.names.aliases.insert(alias.name.clone(), place);
+        self.entries.push(alias);
+    }
+}
+
+/// How many aliases a table of so many bytes holds.
+pub(crate) fn alias_count(bytes: u32) -> u32 {
+    bytes.saturating_sub(memory::ALIASES.once) / memory::ALIASES.each
+}

@@ -1,0 +1,212 @@
+//! Texts of programs that are entered and changed at a terminal (guide, "Adding Lines of Code to Programs").
+//!
+//! A text that was changed is compiled when it is needed: when the program is started or listed. Nothing is said about its syntax before: mistakes
+//! show when the program is started with `LRUN`.
+
+use acrc_catalog::message;
+use acrc_compile::{compile_stored, read_alias};
+use acrc_image::UnitName;
+use acrc_syntax::ast::StatementKind;
+use acrc_syntax::units::Level;
+use acrc_vm::{Code, Location};
+
+use super::{Controller, Observer};
+use crate::error::ControllerError;
+use crate::memory::Block;
+use crate::program::{Program, State};
+use crate::report::FaultReport;
+use crate::terminal::{Entry, StoredText, complaint, known_words};
+
+/// Why a text cannot be executed.
+#[derive(Clone, Debug)]
+pub(super) struct Flaw {
+    /// The number of the line.
+    number: Option<u32>,
+    text: String,
+}
+
+impl Controller {
+    /// `PROGRAM` at a prompt.
+    pub(super) fn begin_entry(&mut self, level: Level) -> (Entry, Result<(), ControllerError>) {
+        let allowed = self.changeable(level).map(|_| ());
+        (Entry::new(level, allowed.is_err()), allowed)
+    }
+
+    /// `ENDP`: the text takes the place of the one before.
+    pub(super) fn finish_entry(&mut self, entry: Entry) -> Result<(), ControllerError> {
+        if entry.discarded {
+            return Ok(());
+        }
+        let space = self.space_at(entry.level);
+        if entry.text.bytes() > space {
+            return Err(too_large(entry.level, entry.text.bytes(), space));
+        }
+        self.changeable(entry.level)?;
+        self.replace_text(entry.level, entry.text);
+        Ok(())
+    }
+
+    /// A line with a number: it is stored, or deleted when it is empty.
+    pub(super) fn store_line(&mut self, level: Level, number: u32, line: &str) -> Result<(), ControllerError> {
+        let mut text = self.text_at(level)?;
+        let space = self.space_at(level);
+        if line.is_empty() {
+            text.delete(number);
+        } else {
+            text.put(number, line, space).map_err(|needed| too_large(level, needed, space))?;
+        }
+        self.replace_text(level, text);
+        Ok(())
+    }
+
+    /// The text of a program as lines, to be changed.
+    fn text_at(&mut self, level: Level) -> Result<StoredText, ControllerError> {
+        let program = self.changeable(level)?;
+        let (edited, unit) = (program.edited.clone(), program.unit.clone());
+        Ok(edited.or_else(|| StoredText::of_unit(&unit?, self.aliases.entries()).ok()).unwrap_or_default())
+    }
+
+    /// The program at a level, if its text may be changed now.
+    fn changeable(&mut self, level: Level) -> Result<&mut Program, ControllerError> {
+        match self.program_at(level) {
+            None => Err(ControllerError::Said(message::UNKNOWN_COMMAND)),
+            Some(program) if program.is_going() => Err(ControllerError::Said(message::PROGRAM_RUNNING)),
+            Some(program) => Ok(program),
+        }
+    }
+
+    fn replace_text(&mut self, level: Level, text: StoredText) {
+        let space = self.space_at(level);
+        let Some(program) = self.program_at(level) else { return };
+        program.stop(State::Idle);
+        program.frame.reset();
+        program.unit = None;
+        program.code = None;
+        program.text_bytes = text.bytes();
+        program.edited = Some(text).filter(|text| !text.is_empty());
+        program.set_space(space);
+        self.update_program_flags();
+    }
+
+    /// The program or PLC program at a level.
+    pub(super) fn program_at(&mut self, level: Level) -> Option<&mut Program> {
+        match level {
+            Level::System => None,
+            Level::Program(number) => self.programs.get_mut(usize::from(number)),
+            Level::Plc(number) => self.plcs.get_mut(usize::from(number)),
+        }
+    }
+
+    /// Bytes that a program or PLC program has for its text and its variables.
+    pub(super) fn space_at(&self, level: Level) -> u64 {
+        let block = match level {
+            Level::System => return 0,
+            Level::Program(number) => Block::Program(number),
+            Level::Plc(number) => Block::Plc(number),
+        };
+        self.machine.memory.size(block).map_or(0, u64::from)
+    }
+
+    /// Makes the text of a program ready to run.
+    pub(super) fn prepare(&mut self, number: u8) -> Result<(), Vec<Flaw>> {
+        self.compile(Level::Program(number))?;
+        let program = &mut self.programs[usize::from(number)];
+        if let (Some(unit), None) = (&program.unit, &program.code) {
+            match Code::load(unit, self.aliases.entries()) {
+                Ok(code) => program.code = Some(code),
+                Err(error) => {
+                    let number = self.line_number(number, error.location);
+                    return Err(vec![Flaw { number, text: error.kind.to_string() }]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Compiles a text that was edited.
+    pub(super) fn compile(&mut self, level: Level) -> Result<(), Vec<Flaw>> {
+        let name = match level {
+            Level::System => return Ok(()),
+            Level::Program(number) => UnitName::Program(number),
+            Level::Plc(number) => UnitName::Plc(number),
+        };
+        let Some(text) = self.program_at(level).and_then(|program| program.edited.clone()) else { return Ok(()) };
+        let source = text.source();
+        let tree = acrc_syntax::parse(&source);
+        self.define_all(&source, &tree).map_err(|text| vec![Flaw { number: None, text }])?;
+        let unit = compile_stored(name, &source, &tree, self.aliases.names()).map_err(|errors| {
+            let flaw = |error: acrc_compile::CompileError| {
+                let line = tree.lines().partition_point(|line| line.span.end < error.span.start);
+                let number = text.lines().get(line).map(|line| line.number);
+                Flaw { number, text: complaint(&source, &tree, error.span, &error.kind) }
+            };
+            errors.into_iter().map(flaw).collect::<Vec<_>>()
+        })?;
+        let (needed, space) = (u64::from(unit.memory()), self.space_at(level));
+        if needed > space {
+            return Err(vec![Flaw { number: None, text: too_large(level, needed, space).to_string() }]);
+        }
+        if let Some(program) = self.program_at(level) {
+            program.text_bytes = needed;
+            program.unit = Some(unit);
+            program.edited = None;
+            program.set_space(space);
+        }
+        Ok(())
+    }
+
+    /// Adds the aliases that a text defines to those of the controller.
+    fn define_all(&mut self, source: &str, tree: &acrc_syntax::Tree) -> Result<(), String> {
+        for statement in tree.statements() {
+            // What is wrong with a definition the compiler says.
+            if let StatementKind::Define(define) = &statement.kind
+                && let Ok(alias) = read_alias(source, define)
+            {
+                self.aliases.define(alias, &self.machine.memory).map_err(|error| error.to_string())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A program that was to be started and cannot: its mistakes are told to those who listen.
+    pub(super) fn refuse_start(&mut self, number: u8, flaws: &[Flaw], observer: &mut dyn Observer) {
+        self.faulted = true;
+        self.programs[usize::from(number)].stop(State::Fault);
+        for flaw in flaws {
+            self.machine.terminal.tell_listeners(number, fault_line(&flaw.text, flaw.number).as_bytes());
+            observer.fault(&FaultReport {
+                seconds: self.machine.clock.seconds(),
+                program: Some(number),
+                file: None,
+                line: flaw.number,
+                statement: 1,
+                message: flaw.text.clone(),
+            });
+        }
+    }
+
+    /// Tells those who listen to a program of its run-time error.
+    pub(super) fn tell_fault(&mut self, number: u8, location: Location, message: &str) {
+        if self.machine.terminal.channels().any(|channel| channel.listening == Some(number)) {
+            let line = fault_line(message, self.line_number(number, location));
+            self.machine.terminal.tell_listeners(number, line.as_bytes());
+        }
+    }
+
+    /// The number, written or hidden, of a line of a program.
+    fn line_number(&self, number: u8, location: Location) -> Option<u32> {
+        let unit = self.programs.get(usize::from(number))?.unit.as_ref()?;
+        let text = StoredText::of_unit(unit, self.aliases.entries()).ok()?;
+        Some(text.lines().get((location.line as usize).checked_sub(1)?)?.number)
+    }
+}
+
+/// A mistake of a program as a terminal shows it, in Latin-1. The place is ours.
+fn fault_line(message: &str, number: Option<u32>) -> String {
+    let place = number.map_or_else(String::new, |number| format!(" [line {number}]"));
+    format!("{}{place}\r\n", known_words(message))
+}
+
+fn too_large(level: Level, needed: u64, available: u64) -> ControllerError {
+    ControllerError::TextTooLarge { program: level.to_string(), needed, available }
+}

@@ -1,0 +1,299 @@
+//! The slices of communication: what was typed at the channels is read and executed.
+//!
+//! A channel executes a few statements in a slice, as programs do, with the variables of the program at its level. A statement that has to wait
+//! (`DWL`, `INH`, a full move queue) holds its channel only.
+
+use std::collections::VecDeque;
+
+use acrc_catalog::{command, law};
+use acrc_syntax::ast::{Statement, StatementKind};
+use acrc_syntax::units::Level;
+use acrc_vm::Stop;
+
+use super::setup::Immediate;
+use super::{Controller, Observer};
+use crate::orders::Order;
+use crate::program::{Program, State};
+use crate::terminal::{
+    Channel, ChannelId, Demand, Entry, Key, Piece, PromptState, Reader, StreamError, StreamName, Typed, known_words,
+};
+
+/// Statements that a channel executes in one slice.
+const STATEMENTS_PER_SLICE: u32 = 4;
+
+impl Controller {
+    /// Opens a channel, at the system level and with echo, as after power-up. It sends nothing before something is typed.
+    ///
+    /// # Errors
+    /// When the model has no such stream, or another channel uses it.
+    pub fn open_channel(&mut self, stream: StreamName) -> Result<ChannelId, StreamError> {
+        let model = self.machine.model;
+        if !model.streams.contains(&stream.to_string().as_str()) {
+            return Err(StreamError::Missing { stream, model: model.name, streams: model.streams });
+        }
+        self.machine.terminal.open(stream)
+    }
+
+    /// Closes a channel. What it was executing is given up, programs go on.
+    pub fn close_channel(&mut self, channel: ChannelId) {
+        self.machine.terminal.close(channel);
+    }
+
+    /// Bytes have been typed. Ctrl-X, Ctrl-Y and Ctrl-Z act at once, in the middle of a line too; the rest is read in the next slice of
+    /// communication.
+    pub fn receive(&mut self, channel: ChannelId, bytes: &[u8]) {
+        for byte in bytes {
+            if let Some(key) = Key::of(*byte) {
+                self.press(key);
+            } else if let Some(channel) = self.machine.terminal.get_mut(channel) {
+                channel.push(*byte);
+            }
+        }
+    }
+
+    /// What a channel has sent since this was asked last. Text is Latin-1.
+    pub fn take_output(&mut self, channel: ChannelId) -> Vec<u8> {
+        self.machine.terminal.get_mut(channel).map(Channel::take_output).unwrap_or_default()
+    }
+
+    /// What a channel is doing; one that is closed is ready and has no prompt.
+    pub fn prompt_state(&self, channel: ChannelId) -> PromptState {
+        self.machine.terminal.get(channel).map_or_else(|| PromptState::Ready(String::new()), Channel::state)
+    }
+
+    /// When the channels need their next slice.
+    pub(super) fn channel_demand(&self) -> Demand {
+        let mut next = None;
+        for channel in self.machine.terminal.channels() {
+            match self.demand_of(channel) {
+                Demand::Now => return Demand::Now,
+                Demand::At(tick) => next = Some(next.map_or(tick, |next: u64| next.min(tick))),
+                Demand::Nothing => {}
+            }
+        }
+        next.map_or(Demand::Nothing, Demand::At)
+    }
+
+    fn demand_of(&self, channel: &Channel) -> Demand {
+        match (&channel.typed, channel.listening) {
+            (Some(_), _) | (None, Some(_)) if channel.escape_waits() => Demand::Now,
+            (Some(typed), _) if typed.waiting => match typed.release.into_iter().chain(typed.watch.ticks()).min() {
+                Some(tick) if typed.release.is_some() || typed.waited_at == self.changes => Demand::At(tick),
+                None if typed.waited_at == self.changes => Demand::Nothing,
+                _ => Demand::Now,
+            },
+            (None, Some(program)) if self.is_going(program) => Demand::Nothing,
+            (None, None) if !channel.has_input() => Demand::Nothing,
+            _ => Demand::Now,
+        }
+    }
+
+    fn is_going(&self, program: u8) -> bool {
+        self.programs.get(usize::from(program)).is_some_and(Program::is_going)
+    }
+
+    /// A slice of communication.
+    pub(super) fn communicate(&mut self, observer: &mut dyn Observer) {
+        for id in self.machine.terminal.ids() {
+            self.with_channel(id, |channel| {
+                // Nobody could end a wait for what never comes, or a loop, in another way.
+                if channel.typed.is_some() && channel.skip_to_escape() {
+                    channel.typed = Some(Typed::default());
+                }
+            });
+            for _ in 0..STATEMENTS_PER_SLICE {
+                if !self.serve(id, observer) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Does the next thing that a channel has to do. False when there is nothing more for now.
+    fn serve(&mut self, id: ChannelId, observer: &mut dyn Observer) -> bool {
+        let Some(channel) = self.machine.terminal.get_mut(id) else { return false };
+        if let Some(typed) = channel.typed.take() {
+            return self.execute_typed(id, typed, observer);
+        }
+        if let Some(program) = channel.listening {
+            let left = channel.skip_to_escape();
+            if !left && self.is_going(program) {
+                return false;
+            }
+            self.with_channel(id, Channel::stop_listening);
+            return true;
+        }
+        let Some(line) = channel.next_line() else { return false };
+        let typed = match line {
+            Ok(line) => self.read_line(id, &line),
+            Err(refusal) => self.refused_line(id, refusal),
+        };
+        self.execute_typed(id, typed, observer)
+    }
+
+    fn with_channel(&mut self, id: ChannelId, change: impl FnOnce(&mut Channel)) {
+        if let Some(channel) = self.machine.terminal.get_mut(id) {
+            change(channel);
+        }
+    }
+
+    /// A line that was not taken. A text that is entered would lack it, so it is not stored either.
+    fn refused_line(&mut self, id: ChannelId, refusal: &str) -> Typed {
+        self.with_channel(id, |channel| {
+            if let Some(entry) = &mut channel.entry {
+                entry.discarded = true;
+            }
+        });
+        Typed { pieces: [Piece::Refuse(refusal.to_owned())].into(), ..Typed::default() }
+    }
+
+    /// What is to be done for a line: it goes into the text that is entered, or it is executed.
+    fn read_line(&mut self, id: ChannelId, line: &str) -> Typed {
+        let entry = self.machine.terminal.get_mut(id).and_then(|channel| channel.entry.take());
+        let pieces = match entry {
+            Some(entry) => self.enter_line(id, entry, line),
+            None => self.pieces(line),
+        };
+        Typed { pieces, ..Typed::default() }
+    }
+
+    fn pieces(&mut self, line: &str) -> VecDeque<Piece> {
+        Reader { aliases: &mut self.aliases, memory: &self.machine.memory }.read(line)
+    }
+
+    /// Adds a line to the text that is entered. Gives what is to be done behind its `ENDP`.
+    fn enter_line(&mut self, id: ChannelId, mut entry: Entry, line: &str) -> VecDeque<Piece> {
+        let tree = acrc_syntax::parse(line);
+        let end = tree.statements().iter().find(|statement| is_end(statement)).map(|statement| statement.span);
+        let number = tree.lines().first().and_then(|line| line.number);
+        let start = number.map_or(0, |number| number.span.end as usize);
+        let text = line.get(start..end.map_or(line.len(), |end| end.start as usize)).unwrap_or_default();
+        let text = text.trim_end_matches([' ', '\t', ':']).trim_start();
+        if !text.is_empty() && !text.starts_with('\'') && !entry.discarded {
+            entry.text.append(number.map(|number| number.value), text, self.space_at(entry.level));
+        }
+        let Some(end) = end else {
+            self.with_channel(id, |channel| channel.entry = Some(entry));
+            return VecDeque::new();
+        };
+        let refusal = self.finish_entry(entry).err().map(|error| Piece::Refuse(error.to_string()));
+        let behind = self.pieces(line.get(end.end as usize..).unwrap_or_default());
+        refusal.into_iter().chain(behind).collect()
+    }
+
+    /// Executes the next statement of a typed line; behind the last one comes the prompt. False when the line has to wait, or when there is
+    /// nothing more.
+    fn execute_typed(&mut self, id: ChannelId, mut typed: Typed, observer: &mut dyn Observer) -> bool {
+        let Some(level) = self.machine.terminal.get(id).map(|channel| channel.level) else { return false };
+        let done = match typed.pieces.front() {
+            None => true,
+            Some(Piece::Run(_)) => self.run_typed(id, &mut typed, observer),
+            Some(Piece::Refuse(text)) => {
+                self.say(id, text);
+                true
+            }
+            Some(Piece::Store(number, line)) => {
+                if let Err(error) = self.store_line(level, *number, line) {
+                    self.say(id, &error.to_string());
+                }
+                true
+            }
+            Some(Piece::Enter(first)) => {
+                let behind = self.enter(id, level, first);
+                typed.pieces.extend(behind);
+                true
+            }
+        };
+        if done {
+            typed.pieces.pop_front();
+            typed.frame.reset();
+        }
+        let Some(channel) = self.machine.terminal.get_mut(id) else { return false };
+        if typed.pieces.is_empty() {
+            if channel.listening.is_none() {
+                channel.send_prompt();
+            }
+            return true;
+        }
+        let waiting = typed.waiting;
+        channel.typed = Some(typed);
+        !waiting
+    }
+
+    /// `PROGRAM`: what is typed from now on is stored, beginning with what follows on the line. Gives what is to be done behind its `ENDP`.
+    fn enter(&mut self, id: ChannelId, level: Level, first: &str) -> VecDeque<Piece> {
+        let (entry, allowed) = self.begin_entry(level);
+        if let Err(error) = allowed {
+            self.say(id, &error.to_string());
+        }
+        self.enter_line(id, entry, first)
+    }
+
+    /// One statement of the first piece of a typed line. True when the piece is done.
+    fn run_typed(&mut self, id: ChannelId, typed: &mut Typed, observer: &mut dyn Observer) -> bool {
+        let Some(Piece::Run(code)) = typed.pieces.front() else { return true };
+        let Some(channel) = self.machine.terminal.get(id) else { return true };
+        self.machine.level = channel.level;
+        let statement = Immediate {
+            code,
+            frame: &mut typed.frame,
+            release: &mut typed.release,
+            watch: &mut typed.watch,
+            spare: &mut self.boot.locals,
+            channel: Some(id),
+        };
+        let run = statement.run(&mut self.machine, &mut self.programs, observer);
+        let level = self.machine.level;
+        typed.waiting = run.stop == Stop::Blocked;
+        if run.statements > 0 || run.stop != Stop::Blocked {
+            self.changes += 1;
+        }
+        typed.waited_at = self.changes;
+        if let Stop::Fault(fault) = &run.stop {
+            typed.frame.skip_statement(code);
+            self.say(id, &fault.to_string());
+        }
+        let done = run.stop == Stop::Ended;
+        self.with_channel(id, |channel| channel.level = level);
+        self.apply_requests(observer);
+        done
+    }
+
+    /// Answers with a line of text.
+    fn say(&mut self, id: ChannelId, text: &str) {
+        self.with_channel(id, |channel| channel.send_line(known_words(text)));
+    }
+
+    /// A character that acts at once (guide, "To Stop All Motion Immediately").
+    fn press(&mut self, key: Key) {
+        self.changes += 1;
+        for axis in 0..u32::from(self.machine.model.axes) {
+            self.machine.flags.set_law(law::KILL_ALL_MOTION_REQUEST, axis, key != Key::ClearKill);
+            if key == Key::KillAndDisable {
+                self.machine.set_drive(axis as u8, false);
+            }
+        }
+        if key == Key::ClearKill {
+            for master in 0..u32::from(self.machine.model.masters) {
+                self.machine.flags.set_law(law::KILL_ALL_MOVES, master, false);
+            }
+            return;
+        }
+        for program in self.programs.iter_mut().filter(|program| program.is_going()) {
+            program.stop(State::Ended);
+        }
+        if self.machine.in_motion() {
+            let note = "Ctrl-X or Ctrl-Z stopped motion: coordinated moves stop at once, HLDEC is not simulated";
+            self.machine.notes.insert(note.to_owned());
+        }
+        for master in 0..usize::from(self.machine.model.masters) {
+            self.machine.order(master, Order::Kill);
+        }
+        self.update_program_flags();
+    }
+}
+
+/// Whether a statement ends the text that is entered.
+fn is_end(statement: &Statement) -> bool {
+    matches!(&statement.kind, StatementKind::Command(command) if command.id == command::ENDP)
+}

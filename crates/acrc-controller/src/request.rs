@@ -1,0 +1,48 @@
+//! What commands ask of the controller around the machine: of the scheduler, and of the programs' texts and variables.
+
+use acrc_syntax::units::Level;
+
+use crate::terminal::ChannelId;
+
+/// What a program asks of the scheduler; carried out when its statement is over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Request {
+    Run(u8),
+    Halt(u8),
+    Pause(u8),
+    Resume(u8),
+    /// Erase the text of a program.
+    New(u8),
+    /// Give the memory of all variables back (`CLEAR` at the system prompt).
+    ClearAllLocals,
+    /// Install stored text: index into the image's programs.
+    Install(usize),
+    /// Forget what aliases mean (`CLEAR` typed at the system prompt).
+    ForgetAliases,
+    /// Answer a question that concerns the programs.
+    Report(Query, Origin),
+}
+
+/// A question that the programs' texts and variables answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Query {
+    /// `LIST`: the lines between two numbers of the program at the prompt.
+    List { first: u32, last: u32 },
+    /// `DIM` without a size.
+    Dimensions,
+    /// `MEM`
+    FreeMemory,
+    /// `DEF`
+    Aliases,
+}
+
+/// Who gave a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Origin {
+    /// The prompt level of an immediate command; for a program its own.
+    pub(crate) level: Level,
+    /// The channel at which it was typed.
+    pub(crate) channel: Option<ChannelId>,
+    /// It was typed, or is setup code.
+    pub(crate) immediate: bool,
+}

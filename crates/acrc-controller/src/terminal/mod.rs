@@ -1,0 +1,106 @@
+//! The terminal: what a person or a client program types at a communication channel, and what comes back (guide, "Communication Levels",
+//! "Immediate Mode Commands", "Listening to a Program").
+//!
+//! This module holds the channels with their input lines and prompts and reads what is typed. `crate::controller` executes it in the slices of
+//! communication: typed statements run as those of programs do, through [`crate::command::Context`].
+
+mod channel;
+mod entry;
+mod line;
+mod stored;
+mod stream;
+mod words;
+
+use std::collections::BTreeMap;
+
+pub(crate) use channel::{Channel, Key};
+pub(crate) use entry::Entry;
+pub(crate) use line::{Piece, Reader, Typed, complaint};
+pub(crate) use stored::StoredText;
+pub use stream::{StreamError, StreamName};
+pub(crate) use words::known_words;
+
+/// A channel that is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ChannelId(u32);
+
+/// What a channel is doing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PromptState {
+    /// It takes lines; this is its prompt, `P00>`.
+    Ready(String),
+    /// It executes a line, or has not read yet what was typed.
+    Busy,
+    /// It shows the output of a program until ESC (`LRUN`, `LISTEN`).
+    Listening,
+}
+
+/// When a channel needs its next slice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Demand {
+    /// There is something to do.
+    Now,
+    /// At this tick.
+    At(u64),
+    /// When something has happened, or somebody types.
+    Nothing,
+}
+
+/// The channels of a controller.
+#[derive(Debug, Default)]
+pub(crate) struct Terminal {
+    channels: BTreeMap<ChannelId, Channel>,
+    opened: u32,
+}
+
+impl Terminal {
+    /// Opens a channel on a stream that nobody else uses.
+    pub(crate) fn open(&mut self, stream: StreamName) -> Result<ChannelId, StreamError> {
+        if self.channels.values().any(|channel| channel.stream == stream) {
+            return Err(StreamError::InUse(stream));
+        }
+        let id = ChannelId(self.opened);
+        self.opened += 1;
+        self.channels.insert(id, Channel::new(stream));
+        Ok(id)
+    }
+
+    /// Closes a channel; what it was executing is given up.
+    pub(crate) fn close(&mut self, id: ChannelId) {
+        self.channels.remove(&id);
+    }
+
+    /// A channel; `None` once it is closed.
+    pub(crate) fn get(&self, id: ChannelId) -> Option<&Channel> {
+        self.channels.get(&id)
+    }
+
+    /// A channel to change.
+    pub(crate) fn get_mut(&mut self, id: ChannelId) -> Option<&mut Channel> {
+        self.channels.get_mut(&id)
+    }
+
+    /// The channels that are open, oldest first.
+    pub(crate) fn ids(&self) -> Vec<ChannelId> {
+        self.channels.keys().copied().collect()
+    }
+
+    /// All channels.
+    pub(crate) fn channels(&self) -> impl Iterator<Item = &Channel> {
+        self.channels.values()
+    }
+
+    /// Sends bytes to whoever typed a statement.
+    pub(crate) fn send(&mut self, id: ChannelId, bytes: &[u8]) {
+        if let Some(channel) = self.channels.get_mut(&id) {
+            channel.send(bytes);
+        }
+    }
+
+    /// Sends bytes to those who listen to a program.
+    pub(crate) fn tell_listeners(&mut self, program: u8, bytes: &[u8]) {
+        for channel in self.channels.values_mut().filter(|channel| channel.listening == Some(program)) {
+            channel.send(bytes);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Ctrl-X, Ctrl-Y and Ctrl-Z act when they arrive; ESC leaves what shows or waits.
+
+use crate::support::{Desk, TWO_AXES};
+
+const RUNNING: &str = "PROGRAM\nDRIVE ON X Y\nX1000\nINH -516\nENDP\n";
+
+fn running() -> Desk {
+    let mut desk = Desk::with(&format!("{TWO_AXES}{RUNNING}"));
+    desk.send("PROG0\rRUN\r");
+    desk.wait(1.0);
+    assert!(desk.bit(516) && desk.bit(8465) && desk.bit(1024));
+    desk
+}
+
+#[test]
+fn ctrl_x_ends_programs_and_kills_motion_at_once() {
+    let mut desk = running();
+    desk.controller.receive(desk.channel, b"\x18");
+    assert!(!desk.bit(516) && !desk.bit(1024));
+    assert!(desk.bit(8467) && desk.bit(8499) && desk.bit(8691) && desk.bit(522));
+    assert!(desk.bit(8465), "drives stay on");
+    assert_eq!(desk.ask("X0"), "Associated Slave Kill Motion Request Active\r\n");
+}
+
+#[test]
+fn ctrl_y_clears_the_kill_flags() {
+    let mut desk = running();
+    desk.controller.receive(desk.channel, b"\x18\x19");
+    assert!(!desk.bit(8467) && !desk.bit(8499) && !desk.bit(522));
+    assert_eq!(desk.ask("X0"), "");
+    assert!(desk.bit(516));
+}
+
+#[test]
+fn ctrl_z_disables_the_drives_too() {
+    let mut desk = running();
+    desk.controller.receive(desk.channel, b"\x1a");
+    assert!(!desk.bit(516) && !desk.bit(1024) && desk.bit(8467) && !desk.bit(8465) && !desk.bit(8497));
+}
+
+#[test]
+fn they_are_no_part_of_the_line() {
+    let mut desk = Desk::machine();
+    assert_eq!(desk.send("?\x191\x182\r"), "?12\r\n12\r\nP00>");
+    assert!(desk.bit(8467));
+    assert_eq!(desk.send("\x19:AXIS0 PPU 5\r"), ":AXIS0 PPU 5\r\nP00>");
+    assert!(!desk.bit(8467));
+}
+
+#[test]
+fn ctrl_x_reaches_programs_while_the_channel_listens() {
+    let mut desk = Desk::with("SYS\nDIM P(4)\nPROG0\nPROGRAM\n_again\nPRINT 1\nDWL 10\nGOTO again\nENDP\n");
+    desk.send("LRUN PROG0\r");
+    desk.controller.receive(desk.channel, b"\x18");
+    assert_eq!(desk.wait(0.1), "SYS>");
+}
+
+#[test]
+fn esc_is_harmless_at_a_prompt() {
+    let mut desk = Desk::new();
+    assert_eq!(desk.send("\x1b"), "");
+    assert_eq!(desk.send("?1\x1b\r"), "?1\r\n1\r\nSYS>");
+}

@@ -1,0 +1,94 @@
+//! `RUN`, `LRUN` and `LISTEN`.
+
+use acrc_controller::PromptState;
+
+use crate::support::{Desk, TWO_AXES};
+
+const COUNTER: &str = "SYS\nDIM P(10)\nPROG0\nPROGRAM\n_next\nP0 = P0 + 1\nPRINT P0\nDWL 1\nGOTO next\nENDP\n";
+
+#[test]
+fn run_returns_the_prompt_and_shows_nothing() {
+    let mut desk = Desk::with(COUNTER);
+    desk.send("PROG0\r");
+    assert_eq!(desk.ask("RUN"), "");
+    assert_eq!(desk.wait(3.5), "");
+    assert_eq!(desk.ask("?P0"), "4\r\n");
+}
+
+#[test]
+fn lrun_shows_the_output_until_esc() {
+    let mut desk = Desk::with(COUNTER);
+    desk.send("PROG0\r");
+    assert_eq!(desk.send("LRUN\r"), "LRUN\r\n");
+    assert_eq!(desk.wait(0.5), "1\r\n");
+    assert_eq!(desk.controller.prompt_state(desk.channel), PromptState::Listening);
+    assert_eq!(desk.wait(2.0), "2\r\n3\r\n");
+    assert_eq!(desk.send("\x1b"), "P00>");
+    assert_eq!(desk.wait(2.0), "");
+    assert_eq!(desk.ask("?P0"), "5\r\n");
+    assert_eq!(desk.send("LISTEN\r"), "LISTEN\r\n");
+    assert_eq!(desk.wait(1.0), "6\r\n");
+    assert_eq!(desk.send("\x1b"), "P00>");
+    assert_eq!(desk.ask("HALT"), "");
+    assert_eq!(desk.wait(3.0), "");
+}
+
+#[test]
+fn esc_behind_lrun_in_one_packet_waits_for_its_turn() {
+    let mut desk = Desk::with(COUNTER);
+    desk.send("PROG0\r");
+    let answer = desk.send("LRUN\r\x1b?7\r");
+    assert!(answer.starts_with("LRUN\r\n") && answer.ends_with("P00>?7\r\n7\r\nP00>"), "{answer:?}");
+}
+
+#[test]
+fn only_the_channel_that_asked_hears_the_program() {
+    let mut desk = Desk::with(COUNTER);
+    let other = desk.controller.open_channel("STREAM2".parse().expect("a name")).expect("a stream");
+    desk.send("LRUN PROG0\r");
+    desk.wait(2.5);
+    assert_eq!(desk.controller.take_output(other), b"");
+    assert_eq!(desk.send("\x1b"), "SYS>");
+    desk.controller.receive(other, b"LISTEN PROG0\r");
+    assert_eq!(desk.wait(2.0), "");
+    assert_eq!(desk.controller.take_output(other), b"LISTEN PROG0\r\n4\r\n5\r\n");
+}
+
+#[test]
+fn the_prompt_comes_back_when_the_program_ends() {
+    let mut desk = Desk::with("PROG0\nPROGRAM\nPRINT \"a\";\nENDP\n");
+    desk.send("PROG0\r");
+    assert_eq!(desk.send("LRUN\r"), "LRUN\r\n");
+    assert_eq!(desk.wait(0.1), "a\r\nP00>");
+    assert_eq!(desk.ask("LISTEN"), "");
+}
+
+#[test]
+fn errors_show_with_their_line() {
+    let mut desk = Desk::with("SYS\nDIM P(4)\nPROG0\nPROGRAM\nPRINT 1\n_here : PRINT 2\nP0 = 1 / P0\nPRINT 3\nENDP\n");
+    desk.send("PROG0\r");
+    desk.send("LRUN\r");
+    assert_eq!(desk.wait(0.1), "1\r\n2\r\ndivision by zero [line 30]\r\nP00>");
+    assert_eq!(desk.log.faults, ["PROG0 setup.8K line 7 statement 1: division by zero"]);
+}
+
+#[test]
+fn pause_and_resume_while_listening_elsewhere() {
+    let mut desk = Desk::with(&format!("{TWO_AXES}PROGRAM\nX10\nINH -516\nPRINT \"there\"\nENDP\n"));
+    let other = desk.controller.open_channel("STREAM2".parse().expect("a name")).expect("a stream");
+    desk.send("LRUN PROG0\r");
+    desk.wait(0.5);
+    desk.controller.receive(other, b"PAUSE PROG0\r");
+    assert_eq!(desk.wait(5.0), "");
+    desk.controller.receive(other, b"RESUME PROG0\r");
+    assert_eq!(desk.wait(1.0), "there\r\nSYS>");
+}
+
+#[test]
+fn idle_time_with_a_listener_costs_nothing() {
+    let mut desk = Desk::with("PROG0\nPROGRAM\nINH 32\nENDP\n");
+    desk.send("LRUN PROG0\r");
+    assert_eq!(desk.wait(86_400.0), "");
+    assert_eq!(desk.controller.seconds().round(), 86_400.0);
+    assert_eq!(desk.send("\x1b"), "SYS>");
+}

@@ -1,0 +1,117 @@
+//! Typed statements run as those of programs do.
+
+use crate::support::{Desk, TWO_AXES};
+
+#[test]
+fn they_use_the_variables_of_their_program() {
+    let mut desk = Desk::with(&format!("{TWO_AXES}PROGRAM\nDIM LV(2)\nLV0 = 7\nENDP\n"));
+    desk.send("PROG0\rRUN\r");
+    desk.wait(0.1);
+    assert_eq!(desk.ask("LV0 = LV0 + 1 : ?LV0"), "8\r\n");
+    assert_eq!(desk.send("PROG1\r"), "PROG1\r\nP01>");
+    assert_eq!(desk.ask("?LV0"), "LV0 has no memory: no DIM LV was executed\r\n");
+}
+
+#[test]
+fn a_statement_that_waits_holds_its_channel_only() {
+    let mut desk = Desk::with(TWO_AXES);
+    let other = desk.controller.open_channel("STREAM2".parse().expect("a name")).expect("a stream");
+    desk.controller.receive(desk.channel, b"PROG0\rDWL 2 : ?1\r?2\r");
+    desk.controller.receive(other, b"?3\r");
+    desk.controller.step(200, &mut desk.log);
+    assert_eq!(desk.read(), "PROG0\r\nP00>DWL 2 : ?1\r\n");
+    assert_eq!(desk.controller.take_output(other), b"?3\r\n3\r\nSYS>");
+    assert_eq!(desk.wait(1.8), "");
+    assert_eq!(desk.wait(0.2), "1\r\nP00>?2\r\n2\r\nP00>");
+}
+
+#[test]
+fn a_third_move_waits_for_the_first() {
+    let mut desk = Desk::machine();
+    desk.controller.receive(desk.channel, b"X10\rX20\rX30\r");
+    desk.controller.step(100, &mut desk.log);
+    assert_eq!(desk.read(), "X10\r\nP00>X20\r\nP00>X30\r\n");
+    assert_eq!(desk.wait(1.2), "P00>");
+}
+
+#[test]
+fn esc_gives_a_wait_up() {
+    let mut desk = Desk::machine();
+    assert_eq!(desk.send("INH 32 : ?1\r"), "INH 32 : ?1\r\n");
+    assert_eq!(desk.send("typed meanwhile\x1b"), "P00>");
+    assert_eq!(desk.ask("?2"), "2\r\n");
+}
+
+#[test]
+fn commands_of_another_level_are_unknown() {
+    let mut desk = Desk::with(TWO_AXES);
+    for line in ["VEL 5", "X10", "ACC", "ATTACH MASTER0", "LIST", "GARBLE", "15 VEL 5", "= 5", ")", "PROGRAM"] {
+        assert_eq!(desk.ask(line), "Unknown Command\r\n", "{line}");
+    }
+    // What follows a PROGRAM that is refused is read and not executed, up to its end.
+    assert_eq!(desk.ask("SET 32"), "");
+    assert_eq!(desk.ask("ENDP : ?BIT 32"), "0\r\n");
+    desk.send("PROG0\r");
+    for line in ["DIM PROG1(100)", "GARBLE 1", "FOO 5", "FOO", "FOO = 5"] {
+        assert_eq!(desk.ask(line), "Unknown Command\r\n", "{line}");
+    }
+}
+
+#[test]
+fn errors_are_one_line_in_the_words_of_the_controller_where_they_are_known() {
+    let mut desk = Desk::machine();
+    desk.ask("DIM LV(4)");
+    assert_eq!(desk.ask("DIM LV(4)"), "Re-dimensioned block\r\n");
+    assert_eq!(desk.send("SYS\rDIM PROG0(100)\r"), "SYS\r\nSYS>DIM PROG0(100)\r\nRe-dimensioned block\r\nSYS>");
+    desk.send("PROG0\r");
+    desk.ask("X10");
+    assert_eq!(desk.ask("DRIVE ON X"), "Not valid while in motion\r\n");
+    desk.wait(2.0);
+    desk.ask("SET 8467");
+    assert_eq!(desk.ask("Y10"), "Associated Slave Kill Motion Request Active\r\n");
+    assert_eq!(desk.ask("VEL ="), "Syntax error: expected a value after `VEL`, found `=`\r\n");
+    assert_eq!(desk.ask("?1/0"), "division by zero\r\n");
+}
+
+#[test]
+fn a_loop_on_one_line_runs_and_can_be_left() {
+    let mut desk = Desk::with("SYS\nDIM P(10)\nPROG0\n");
+    desk.send("PROG0\r");
+    assert_eq!(desk.ask("FOR P0 = 1 TO 3 : ?P0; : NEXT : ?\"\""), "123\r\n");
+    desk.send("WHILE (1) : WEND\r");
+    assert_eq!(desk.wait(1.0), "");
+    assert_eq!(desk.send("\x1b"), "P00>");
+}
+
+#[test]
+fn the_line_can_be_corrected() {
+    let mut desk = Desk::new();
+    assert_eq!(desk.send("\x08?12\x083\x7f4\r"), "?12\x08 \x083\x08 \x084\r\n14\r\nSYS>");
+}
+
+#[test]
+fn a_line_that_is_too_long_is_refused_as_a_whole() {
+    let mut desk = Desk::with("SYS\nDIM P(10)\n");
+    let line = format!("P0 = 1{}", " ".repeat(1100));
+    assert_eq!(desk.ask(&line), "Line too long\r\n");
+    assert_eq!(desk.ask("?P0"), "0\r\n");
+}
+
+#[test]
+fn latin_1_passes_and_other_control_characters_do_not() {
+    let mut desk = Desk::new();
+    desk.controller.receive(desk.channel, b"\0?\"\xb5m\x07\x11\"\0\0\r");
+    desk.controller.step(40, &mut desk.log);
+    assert_eq!(desk.controller.take_output(desk.channel), b"?\"\xb5m\"\r\n\xb5m\r\nSYS>");
+}
+
+#[test]
+fn aliases_need_room_and_are_forgotten_by_clear() {
+    let mut desk = Desk::with("SYS\nDIM P(10)\nDIM DEF(1)\n");
+    assert_eq!(desk.ask("#DEFINE speed P1"), "");
+    assert_eq!(desk.ask("#DEFINE other P2"), "there is no room for the alias other: DIM DEF(1) gives 1\r\n");
+    assert_eq!(desk.ask("#DEFINE speed P3"), "");
+    assert_eq!(desk.ask("speed = 4 : ?P1,P3"), "0\t4\r\n");
+    assert_eq!(desk.ask("CLEAR"), "");
+    assert_eq!(desk.ask("? speed"), "the name `speed` is not defined\r\n");
+}
