@@ -2,6 +2,8 @@
 
 mod support;
 
+use std::fmt::Write as _;
+
 use acrc_vm::{Budget, LoadErrorKind, Stop};
 use support::{Machine, output, try_load};
 
@@ -295,7 +297,8 @@ fn conditions_with_constants_hold_as_their_values_say() {
             // The same relation as a value, as a condition, as that of a loop, and with the constant in front.
             let mut program = String::from("DIM LV(2)\n");
             for number in numbers {
-                program += &format!(
+                let _ = write!(
+                    program,
                     "LV0 = {number}\nLV1 = LV0 {relation} {constant}\nIF (LV0 {relation} {constant})\nLV1 = LV1 + 1\nENDIF\n\
                      IF (LV0 - 1 + 1 {relation} {constant}) THEN LV1 = LV1 + 10\nIF (LV1 <> 0 AND LV1 <> 10) THEN PRINT LV0\n\
                      LV1 = (LV0 {relation} {constant}) * 2\nWHILE (LV0 {relation} {constant})\nLV1 = LV1 + 1\n\
