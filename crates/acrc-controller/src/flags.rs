@@ -4,24 +4,24 @@ use acrc_catalog::Law;
 
 /// First parameter that is a flag word.
 pub(crate) const FIRST_WORD: u32 = 4096;
-/// Number of flag words.
-const WORDS: usize = 2048;
-
 /// All flags of the controller.
 #[derive(Clone, Debug)]
 pub(crate) struct Flags {
-    words: Box<[u32; WORDS]>,
+    words: Box<[u32; Flags::WORDS as usize]>,
 }
 
 impl Flags {
+    /// Number of flag words.
+    pub(crate) const WORDS: u32 = 2048;
+
     /// Power-up: every flag is clear.
     pub(crate) fn new() -> Self {
-        Self { words: Box::new([0; WORDS]) }
+        Self { words: Box::new([0; Self::WORDS as usize]) }
     }
 
     /// Whether a bit number lies in the flag space.
     pub(crate) fn contains(bit: u32) -> bool {
-        (bit / 32) < WORDS as u32
+        bit / 32 < Self::WORDS
     }
 
     /// State of a bit; bits outside the space are clear.

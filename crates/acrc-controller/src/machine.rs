@@ -104,15 +104,16 @@ impl Machine {
 
     /// Applies the events that are due at the present tick.
     pub(crate) fn apply_events(&mut self) {
-        while let Some(event) = self.world.events().get(self.next_event) {
-            if self.clock.tick_at(event.at) > self.clock.ticks() {
-                break;
-            }
+        while self.next_event_tick().is_some_and(|tick| tick <= self.clock.ticks()) {
+            let event = self.world.events()[self.next_event].clone();
             for bit in &event.set {
                 self.flags.set(*bit, true);
             }
             for bit in &event.clear {
                 self.flags.set(*bit, false);
+            }
+            for (number, value) in &event.parameters {
+                self.script_parameter(*number, *value);
             }
             self.next_event += 1;
         }

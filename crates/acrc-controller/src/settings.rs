@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use acrc_catalog::{AddressLaw, CommandId, SetBy, all_bits, all_parameters, command};
+use acrc_catalog::{AddressLaw, CommandId, ObjectKind, SetBy, all_bits, all_commands, all_parameters, command};
 use acrc_vm::{Source, Value};
 
 use crate::error::ControllerError;
@@ -53,6 +53,20 @@ impl Settings {
 
 /// Settings whose first value says which segment of the table they are for.
 const SEGMENTED: [CommandId; 2] = [command::CAM_SEG, command::BSC_SEG];
+
+/// How many objects of a kind any controller has, where the catalogue says so: `PLSn` with 0 to 7.
+pub(crate) fn most_objects(kind: ObjectKind) -> Option<u8> {
+    static COUNTS: LazyLock<BTreeMap<ObjectKind, u8>> = LazyLock::new(|| {
+        let count = |kind: &ObjectKind| {
+            let command = all_commands().find(|command| command.name == kind.name())?;
+            let number = command.arguments.iter().find(|argument| argument.name == "n")?;
+            let last = number.range.split(&[' ', '.']).filter_map(|part| part.parse::<u8>().ok()).max()?;
+            Some((*kind, last.saturating_add(1)))
+        };
+        ObjectKind::ALL.iter().filter_map(count).collect()
+    });
+    COUNTS.get(&kind).copied()
+}
 
 /// Where a command's values are.
 #[derive(Clone, Debug)]
@@ -179,7 +193,8 @@ fn completed(command: CommandId, items: Vec<Item>) -> Result<Vec<Item>, Controll
     let opposite = info.arguments.get(completed.len()).is_some_and(|argument| argument.opposite);
     if let ([Item::Number(value)], true) = (&completed[..], opposite) {
         let real = value.to_f64().map_err(ControllerError::Program)?;
-        completed.push(Item::Number(Value::Single(-real as f32)));
+        // A difference, so that the opposite of 0 has no sign.
+        completed.push(Item::Number(Value::Single((0.0 - real) as f32)));
     }
     Ok(completed)
 }

@@ -1,4 +1,5 @@
-//! The machine around the controller, as far as a dry run needs one: named inputs and a timeline of what happens to them.
+//! The machine around the controller, as far as a dry run needs one: named inputs, and a timeline of what happens to them and to parameters that are
+//! measured or written by a host.
 //!
 //! Described by a `world.toml`:
 //!
@@ -10,6 +11,7 @@
 //! at = "2.5s"                 # virtual time; a plain number is seconds
 //! set = ["light_curtain", 3]  # inputs that come on
 //! clear = [4]                 # inputs that go off
+//! parameters = { P6408 = 2.5 } # parameters that get a value: 2.5 V at analog input 0
 //! note = "operator reaches in" # shown in plots
 //! ```
 
@@ -18,12 +20,13 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use thiserror::Error;
 
+use crate::registers::is_plain_parameter;
 use crate::time::parse_duration;
 
 /// Number of onboard inputs that a world may drive (bits 0-31).
 const INPUTS: u32 = 32;
 
-/// A scripted change of inputs.
+/// A scripted change of inputs and parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldEvent {
     /// Virtual time in seconds.
@@ -32,6 +35,8 @@ pub struct WorldEvent {
     pub set: Vec<u32>,
     /// Input bits that go off.
     pub clear: Vec<u32>,
+    /// Parameters that get a value: analog inputs, user parameters that a host writes. Programs may be refused to write them.
+    pub parameters: Vec<(u32, f64)>,
     /// What it stands for, for people.
     pub note: Option<String>,
 }
@@ -83,8 +88,16 @@ pub enum WorldError {
         /// The number.
         number: i64,
     },
+    /// A key of `parameters` that stands for nothing a world can change.
+    #[error("event {event}: `{name}` is no parameter that keeps a value, such as P0 or P6408")]
+    NotAParameter {
+        /// Position in the file, from 1.
+        event: usize,
+        /// The key.
+        name: String,
+    },
     /// An event with nothing in it.
-    #[error("event {event}: it changes no input: give `set` or `clear`")]
+    #[error("event {event}: it changes no input: give `set`, `clear` or `parameters`")]
     Empty {
         /// Position in the file, from 1.
         event: usize,
@@ -108,6 +121,8 @@ struct EventFile {
     set: Vec<InputFile>,
     #[serde(default)]
     clear: Vec<InputFile>,
+    #[serde(default)]
+    parameters: BTreeMap<String, f64>,
     note: Option<String>,
 }
 
@@ -183,13 +198,25 @@ fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) ->
     if !(at.is_finite() && (0.0..=1e9).contains(&at)) {
         return Err(WorldError::Unreachable { event, at });
     }
-    if file.set.is_empty() && file.clear.is_empty() {
+    if file.set.is_empty() && file.clear.is_empty() && file.parameters.is_empty() {
         return Err(WorldError::Empty { event });
     }
     let resolve = |list: &[InputFile]| {
         list.iter().map(|input| resolve_input(event, input, inputs)).collect::<Result<Vec<_>, _>>()
     };
-    Ok(WorldEvent { at, set: resolve(&file.set)?, clear: resolve(&file.clear)?, note: file.note.clone() })
+    let parameters = file.parameters.iter().map(|(name, value)| {
+        let number = name.strip_prefix(['P', 'p']).and_then(|digits| digits.parse().ok());
+        let number = number.filter(|number| value.is_finite() && is_plain_parameter(*number));
+        let number = number.ok_or_else(|| WorldError::NotAParameter { event, name: name.clone() });
+        number.map(|number| (number, *value))
+    });
+    Ok(WorldEvent {
+        at,
+        set: resolve(&file.set)?,
+        clear: resolve(&file.clear)?,
+        parameters: parameters.collect::<Result<_, WorldError>>()?,
+        note: file.note.clone(),
+    })
 }
 
 fn resolve_input(event: usize, input: &InputFile, inputs: &BTreeMap<String, u32>) -> Result<u32, WorldError> {
@@ -218,7 +245,7 @@ mod tests {
         .expect("a valid world");
         assert_eq!(
             world.events()[0],
-            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], note: Some("hand".to_owned()) }
+            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], parameters: vec![], note: Some("hand".to_owned()) }
         );
         assert_eq!(world.events()[1].at, 3.0);
         assert_eq!(world.driven_inputs(), [4, 10]);
@@ -234,6 +261,9 @@ mod tests {
             ("[[event]]\nat = \"soon\"\nset = [1]", "event 1: `soon` is no duration"),
             ("[[event]]\nat = -1.0\nset = [1]", "event 1: a time of -1 seconds is not possible"),
             ("[[event]]\nat = 1", "event 1: it changes no input"),
+            ("[[event]]\nat = 1\nparameters = { P12290 = 1 }", "event 1: `P12290` is no parameter that keeps a value"),
+            ("[[event]]\nat = 1\nparameters = { P4097 = 1 }", "event 1: `P4097` is no parameter that keeps a value"),
+            ("[[event]]\nat = 1\nparameters = { BIT5 = 1 }", "event 1: `BIT5` is no parameter that keeps a value"),
             ("[[event]]\nat = true\nset = [1]", "expected a number of seconds"),
             ("[[evnt]]\nat = 1", "unknown field `evnt`"),
         ] {

@@ -5,7 +5,8 @@ use acrc_vm::{Arg, ArgValue, Call, Outcome, Reference, Source, Value, format};
 
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
-use crate::settings::Item;
+use crate::machine::Machine;
+use crate::settings::{Item, most_objects};
 
 /// Settings that change the path, the velocity or the time of coordinated moves in ways that the dry run does not follow. They are refused, since a run
 /// that left them out would show another motion.
@@ -88,7 +89,13 @@ impl Context<'_> {
         let info = call.command.info();
         let prefixed = match call.prefix {
             Some((ObjectKind::Axis, index)) => Some(u16::from(self.axis(index.map_or(-1, i64::from))?)),
-            Some((_, index)) => Some(index.unwrap_or(0)),
+            Some((kind, index)) => {
+                let index = index.unwrap_or(0);
+                if let Some(count) = most_objects(kind) {
+                    Machine::object(kind.name(), i64::from(index), count)?;
+                }
+                Some(index)
+            }
             None if info.takes_axes => None,
             None => Some(0),
         };

@@ -9,7 +9,7 @@ use acrc_catalog::{
 };
 
 use super::live::Live;
-use crate::flags::FIRST_WORD;
+use crate::flags::{FIRST_WORD, Flags};
 use crate::orders::Order;
 
 /// What reading and writing a parameter does.
@@ -140,6 +140,12 @@ impl Map {
     pub(crate) fn defaults(&self) -> &[(u32, f64)] {
         &self.defaults
     }
+}
+
+/// Whether a parameter is memory that follows from nothing else: user parameters, and system parameters but flag words and live ones.
+pub(crate) fn is_plain_parameter(number: u32) -> bool {
+    let plain = |parameter: Parameter| parameter.kind == Kind::Plain;
+    number < FIRST_WORD || number >= FIRST_WORD + Flags::WORDS && map().parameter(number).is_some_and(plain)
 }
 
 fn describe_parameter(number: u32) -> Parameter {

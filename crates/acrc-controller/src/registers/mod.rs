@@ -6,4 +6,5 @@ mod map;
 mod parameters;
 mod store;
 
+pub(crate) use map::is_plain_parameter;
 pub(crate) use store::Registers;

@@ -76,6 +76,18 @@ impl Machine {
         Err(ControllerError::ParameterRange { number, value: format::number(value) })
     }
 
+    /// Gives a parameter a value from outside, whether programs may write it or not.
+    pub(crate) fn script_parameter(&mut self, number: u32, value: f64) {
+        let fits = if number < FIRST_WORD {
+            self.memory.user_mut(number as usize).map(|place| *place = value).is_some()
+        } else {
+            map().parameter(number).is_some_and(|entry| self.registers.set(number, entry.form, &Value::Double(value)))
+        };
+        if !fits {
+            self.notes.insert(format!("an event gives P{number} a value for which the controller has no room"));
+        }
+    }
+
     /// Takes note that the run reads a number that no document names.
     pub(crate) fn note_read(&mut self, number: i64) {
         let parameter = u32::try_from(number).ok().and_then(|number| map().parameter(number));

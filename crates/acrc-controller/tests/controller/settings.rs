@@ -86,5 +86,7 @@ fn settings_that_act_by_themselves_are_noted() {
 #[test]
 fn an_object_that_no_controller_has_is_refused() {
     assert_eq!(Sim::new("SYS\nDAC8 GAIN 1\n").faults(), ["DAC8 does not exist: this controller has DAC0 to DAC7"]);
+    assert_eq!(Sim::new("SYS\nPLS8 MASK 1\n").faults(), ["PLS8 does not exist: this controller has PLS0 to PLS7"]);
+    assert_eq!(Sim::new("SYS\nENC16 MULT 4\n").faults(), ["ENC16 does not exist: this controller has ENC0 to ENC15"]);
     assert_eq!(Sim::new("SYS\nAXIS9 PGAIN 1\n").faults(), ["AXIS9 does not exist: this controller has AXIS0 to AXIS7"]);
 }

@@ -31,3 +31,13 @@ fn events_after_the_end_of_all_programs_do_not_happen() {
     let ran = Sim::program("PRINT 1").world("[[event]]\nat = 5\nset = [1]\n").run().clean();
     assert_eq!(ran.record.events.len(), 0);
 }
+
+#[test]
+fn events_give_parameters_a_value() {
+    let world =
+        "[[event]]\nat = 1\nparameters = { P6408 = 2.5, P1 = 7 }\n[[event]]\nat = 2\nparameters = { P4095 = 1 }\n";
+    let sim = Sim::program("PRINT P6408\nIHPOS P6408 (2, 0)\nPRINT P6408, P1\nDWL 2").world(world);
+    let ran = sim.run().clean();
+    assert_eq!(ran.record.output.iter().map(|line| &*line.text).collect::<Vec<_>>(), ["0", "2.5\t7"]);
+    assert_eq!(ran.notes(), ["an event gives P4095 a value for which the controller has no room"]);
+}
