@@ -148,7 +148,7 @@ pub(crate) struct SimArguments {
     /// Programs to start
     #[arg(long, value_name = "PROGn,...", value_delimiter = ',', value_parser = parse_program)]
     pub(crate) run: Vec<u8>,
-    /// The machine around the controller: scripted inputs
+    /// The machine around the controller: scripted inputs and parameters
     #[arg(long, value_name = "world.toml")]
     pub(crate) world: Option<PathBuf>,
     /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]
