@@ -2,6 +2,7 @@
 
 mod fmt;
 mod lint;
+mod repl;
 
 use std::path::PathBuf;
 
@@ -10,6 +11,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use fmt::{FmtArguments, Numbering};
 pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
+pub(crate) use repl::{ReplArguments, Speed};
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
 #[derive(Debug, Parser)]
@@ -54,6 +56,8 @@ pub(crate) enum Command {
     Mem(MemArguments),
     /// Run a project in virtual time and say what the machine does
     Sim(SimArguments),
+    /// Talk to a virtual controller as at its terminal
+    Repl(ReplArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
     Explain(ExplainArguments),
 }

@@ -1,7 +1,7 @@
 //! Commands that report on the controller as a whole. The layouts are not documented, but for `ATTACH`: they repeat the form of the command that
 //! would make what they report.
 
-use acrc_catalog::{Levels, all_commands, command, law};
+use acrc_catalog::{Command, Levels, all_commands, command, law, word};
 use acrc_syntax::units::Level;
 use acrc_vm::{Arg, Call, Outcome, Value};
 
@@ -109,8 +109,9 @@ fn help(context: &mut Context) {
         Level::Program(_) => Levels::prog,
         Level::Plc(_) => Levels::plc,
     };
-    let words =
-        all_commands().filter(|row| at(row.levels) && row.parent.is_none() && !row.clause && !row.word.is_empty());
+    // Labels, assignments and moves have no word of their own.
+    let begins = |row: &&Command| word(row.name).is_some_and(|word| word.command == Some(row.id));
+    let words = all_commands().filter(|row| at(row.levels) && row.parent.is_none() && !row.clause).filter(begins);
     let mut names: Vec<&str> = words.map(|row| row.name).collect();
     names.sort_unstable();
     let line = |names: &[&str]| {

@@ -61,6 +61,22 @@ impl Controller {
         self.machine.terminal.get(channel).map_or_else(|| PromptState::Ready(String::new()), Channel::state)
     }
 
+    /// The level of a channel; the system level for one that is closed.
+    pub fn level(&self, channel: ChannelId) -> Level {
+        self.machine.terminal.get(channel).map_or(Level::System, |channel| channel.level)
+    }
+
+    /// Names that can be typed at a level beside the words of the language: aliases, and the axes of the program.
+    pub fn names_at(&self, level: Level) -> Vec<String> {
+        let mut names: Vec<String> = self.aliases.known().map(|alias| alias.name.clone()).collect();
+        if let Level::Program(number) = level
+            && let Some(attachment) = self.machine.attachments.get(usize::from(number))
+        {
+            names.extend(attachment.names.iter().flatten().map(ToString::to_string));
+        }
+        names
+    }
+
     /// When the channels need their next slice.
     pub(super) fn channel_demand(&self) -> Demand {
         let mut next = None;

@@ -2,8 +2,10 @@
 
 mod clients;
 mod control_keys;
+mod corpus;
 mod entry;
 mod listening;
+mod properties;
 mod reports;
 mod statements;
 mod support;

@@ -7,6 +7,7 @@ mod lint;
 mod list;
 mod mem;
 mod project;
+mod repl;
 mod sim;
 mod source_file;
 mod stdin;
@@ -24,6 +25,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::List(list) => list::run(list),
         Command::Mem(mem) => mem::run(mem, arguments.color),
         Command::Sim(sim) => sim::run(sim, arguments.color),
+        Command::Repl(repl) => repl::run(repl, arguments.color),
         Command::Explain(explain) => explain::run(explain),
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).map(PathBuf::as_path).collect();
     let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).collect();
     refuse_clashes(&outputs, &inputs)?;
-    let world = load_world(arguments, &project)?;
+    let world = load_world(arguments.world.as_deref(), &project)?;
     let Some(image) = compile(&project, "is not run", Terminal::error(color)) else {
         bail!("{} cannot be run before that is mended", title(&project));
     };
@@ -86,10 +86,15 @@ fn exit_of(stopped: Stopped, controller: &Controller) -> Exit {
 }
 
 /// The world of the command line, else of the project, else an ideal machine.
-fn load_world(arguments: &SimArguments, project: &LoadedProject) -> anyhow::Result<World> {
+pub(super) fn load_world(given: Option<&Path>, project: &LoadedProject) -> anyhow::Result<World> {
     let configured = project.config.sim.world.as_ref().map(|path| project.root.join(path).into_std_path_buf());
-    let Some(path) = arguments.world.clone().or(configured) else { return Ok(World::default()) };
-    let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read the world {}", path.display()))?;
+    let Some(path) = given.map(Path::to_owned).or(configured) else { return Ok(World::default()) };
+    read_world(&path)
+}
+
+/// Reads a world.
+pub(super) fn read_world(path: &Path) -> anyhow::Result<World> {
+    let text = std::fs::read_to_string(path).with_context(|| format!("cannot read the world {}", path.display()))?;
     World::parse(&text).with_context(|| format!("{} is no valid world", path.display()))
 }
 

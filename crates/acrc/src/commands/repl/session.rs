@@ -1,0 +1,148 @@
+//! A controller, the channel at which it is spoken to, and the pace of its time.
+
+use std::time::{Duration, Instant};
+
+use acrc_controller::world::WorldEvent;
+use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, View};
+use acrc_syntax::units::Level;
+
+use crate::cli::Speed;
+use crate::output::Terminal;
+
+/// Wall time that is spent at once on a controller that is to run as fast as it can.
+const BURST: Duration = Duration::from_millis(20);
+/// Virtual milliseconds between two looks at the clock on the wall.
+const STRIDE_MS: f64 = 50.0;
+
+/// A session.
+pub(super) struct Session {
+    pub(super) controller: Controller,
+    channel: ChannelId,
+    speed: Speed,
+    /// When the time of the wall and of the controller were the same.
+    since: (Instant, f64),
+    notes: Notes,
+    terminal: Terminal,
+}
+
+impl Session {
+    pub(super) fn new(controller: Controller, channel: ChannelId, speed: Speed, terminal: Terminal) -> Self {
+        Self { controller, channel, speed, since: (Instant::now(), 0.0), notes: Notes::default(), terminal }
+    }
+
+    /// Executes the setup code.
+    pub(super) fn power_up(&mut self) {
+        self.pass(0.0);
+        self.since = (Instant::now(), self.controller.seconds());
+    }
+
+    pub(super) fn speed(&self) -> Speed {
+        self.speed
+    }
+
+    pub(super) fn state(&self) -> PromptState {
+        self.controller.prompt_state(self.channel)
+    }
+
+    pub(super) fn level(&self) -> Level {
+        self.controller.level(self.channel)
+    }
+
+    /// Types bytes.
+    pub(super) fn send(&mut self, bytes: &[u8]) {
+        self.controller.receive(self.channel, bytes);
+    }
+
+    /// What the controller has answered.
+    pub(super) fn read(&mut self) -> Vec<u8> {
+        self.controller.take_output(self.channel)
+    }
+
+    /// Lets the controller catch up with the time of the wall, or work for a moment.
+    pub(super) fn catch_up(&mut self) {
+        let begun = Instant::now();
+        match self.speed {
+            Speed::Factor(factor) => {
+                let (since, seconds) = self.since;
+                let now = seconds + since.elapsed().as_secs_f64() * factor;
+                self.pass(now - self.controller.seconds());
+            }
+            Speed::Max => {
+                while begun.elapsed() < BURST && !(self.is_ready() && self.controller.is_idle()) {
+                    self.pass(STRIDE_MS / 1000.0);
+                }
+            }
+        }
+    }
+
+    /// Lets the controller work until it has answered, for so many virtual seconds at most.
+    pub(super) fn settle(&mut self, seconds: f64) {
+        let end = self.controller.seconds() + seconds;
+        while !self.is_ready() && self.controller.seconds() < end {
+            self.step();
+        }
+    }
+
+    fn is_ready(&self) -> bool {
+        matches!(self.state(), PromptState::Ready(_))
+    }
+
+    /// Lets the shortest time pass.
+    pub(super) fn step(&mut self) {
+        self.controller.step(1, &mut self.notes);
+        self.tell();
+    }
+
+    /// Lets virtual seconds pass.
+    fn pass(&mut self, seconds: f64) {
+        let period = self.controller.view().period();
+        self.controller.step((seconds / period).max(0.0) as u64, &mut self.notes);
+        self.tell();
+    }
+
+    /// Tells what no channel shows: setup code has no terminal, and a program without a listener is silent.
+    fn tell(&mut self) {
+        let listening = self.state() == PromptState::Listening;
+        for note in std::mem::take(&mut self.notes.0) {
+            if !(listening && note.shown_to_listeners) {
+                // Standard error may be gone; the session goes on.
+                crate::exit::note(&note.text, self.terminal);
+            }
+        }
+    }
+}
+
+/// Something that the run tells.
+struct Note {
+    text: String,
+    shown_to_listeners: bool,
+}
+
+/// What the run has told.
+#[derive(Default)]
+struct Notes(Vec<Note>);
+
+impl Observer for Notes {
+    fn output(&mut self, _: f64, program: Option<u8>, device: i32, text: &str) {
+        let source = match (program, device) {
+            (None, _) => "setup".to_owned(),
+            // What a program prints on device 0 is for those who listen to it.
+            (Some(_), 0) => return,
+            (Some(program), device) => format!("PROG{program} #{device}"),
+        };
+        let text = text.trim_end_matches(['\r', '\n']).escape_debug();
+        self.0.push(Note { text: format!("{source}: {text}"), shown_to_listeners: false });
+    }
+
+    fn fault(&mut self, fault: &FaultReport) {
+        self.0.push(Note { text: fault.to_string(), shown_to_listeners: fault.program.is_some() });
+    }
+
+    fn event(&mut self, _: f64, _: &WorldEvent, _: &View) {}
+
+    fn tick(&mut self, _: &View) {}
+
+    fn watches_every_tick(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,127 @@
+//! `acrc repl`: the terminal of a virtual controller, through a pipe.
+
+mod common;
+
+use common::{Bench, gantry};
+
+const MACHINE: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPPU X1000\nACC 100 DEC 100 STP 100 VEL 10\n\
+                       PROGRAM\nX10\nINH -516\nPRINT \"there\"\nENDP\n";
+
+/// What the controller sends for what is typed.
+#[track_caller]
+fn talk(bench: &Bench, arguments: &[&str], input: &str) -> String {
+    let arguments: Vec<&str> = ["repl"].iter().chain(arguments).copied().collect();
+    let output = bench.feed(&arguments, input.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("ASCII in these tests")
+}
+
+#[test]
+fn a_pipe_gets_exactly_the_bytes_of_the_controller() {
+    let bench = Bench::new();
+    bench.file("machine.8K", MACHINE);
+    assert_eq!(talk(&bench, &["machine.8K"], "PROG0\rACC\r"), "PROG0\r\nP00>ACC\r\n100\r\nP00>");
+    assert_eq!(talk(&bench, &["machine.8K"], "PROG0\r\nACC\r\n"), "PROG0\r\nP00>ACC\r\n100\r\nP00>");
+    assert_eq!(talk(&bench, &[], ""), "");
+}
+
+#[test]
+fn stored_programs_wait_for_run() {
+    let bench = Bench::new();
+    bench.file("machine.8K", MACHINE);
+    assert_eq!(
+        talk(&bench, &["machine.8K"], "?P12288\rLRUN PROG0\r?P12288\r"),
+        "?P12288\r\n0\r\nSYS>LRUN PROG0\r\nthere\r\nSYS>?P12288\r\n10000\r\nSYS>"
+    );
+}
+
+#[test]
+fn programs_with_pboot_run() {
+    let bench = Bench::new();
+    bench.file("boot.8K", "SYS\nDIM P(4)\nPROG0\nPROGRAM\nPBOOT\nP0 = 7\nENDP\n");
+    assert_eq!(talk(&bench, &["boot.8K"], "?P0\r"), "?P0\r\n7\r\nSYS>");
+}
+
+#[test]
+fn what_still_goes_on_is_waited_for_and_no_longer_than_asked() {
+    let bench = Bench::new();
+    bench.file("loop.8K", "PROG0\nPROGRAM\n_again\nPRINT \"tick\"\nDWL 1\nGOTO again\nENDP\n");
+    assert_eq!(talk(&bench, &[], "DWL 5 : ?1\r"), "DWL 5 : ?1\r\nUnknown Command\r\n1\r\nSYS>");
+    assert_eq!(talk(&bench, &[], "PROG0\rDWL 5 : ?1\r"), "PROG0\r\nP00>DWL 5 : ?1\r\n1\r\nP00>");
+    let heard = talk(&bench, &["loop.8K", "--linger", "3500ms"], "LRUN PROG0\r");
+    assert_eq!(heard, "LRUN PROG0\r\ntick\r\ntick\r\ntick\r\ntick\r\n");
+    assert_eq!(talk(&bench, &["loop.8K"], "LRUN PROG0\r\u{1b}HALT PROG0\r"), "LRUN PROG0\r\ntick\r\nSYS>HALT PROG0\r\nSYS>");
+}
+
+#[test]
+fn control_keys_do_not_overtake_what_was_typed_before() {
+    let bench = Bench::new();
+    bench.file("machine.8K", MACHINE);
+    let answer = talk(&bench, &["machine.8K"], "PROG0\rX10\r?BIT516\r\u{18}?BIT516\rX0\r\u{19}X0\r");
+    assert_eq!(
+        answer,
+        "PROG0\r\nP00>X10\r\nP00>?BIT516\r\n-1\r\nP00>?BIT516\r\n0\r\nP00>X0\r\n\
+         Associated Slave Kill Motion Request Active\r\nP00>X0\r\nP00>"
+    );
+}
+
+#[test]
+fn a_program_is_entered_listed_and_run() {
+    let bench = Bench::new();
+    let input = "SYS\rDIM P(4)\rPROG3\rPROGRAM\rP0 = 2\rPRINT P0 * 21\rENDP\r15 P0 = P0 + 1\rLIST\rLRUN\r";
+    let answer = talk(&bench, &[], input);
+    assert!(
+        answer.ends_with("LIST\r\nP0 = 2\r\n15 P0 = P0 + 1\r\nPRINT P0 * 21\r\nP03>LRUN\r\n63\r\nP03>"),
+        "{answer:?}"
+    );
+}
+
+#[test]
+fn model_and_stream_are_chosen() {
+    let bench = Bench::new();
+    assert_eq!(talk(&bench, &["--stream", "STREAM2"], "STREAM\r"), "STREAM\r\nSTREAM2\r\nSYS>");
+    let answer = talk(&bench, &["--model", "ACR8020"], "STREAM\rVER\r");
+    assert!(answer.starts_with("STREAM\r\nDPCB\r\n") && answer.contains("ACR8020"), "{answer:?}");
+    let refused = bench.acrc(["repl", "--model", "ACR8020", "--stream", "STREAM2"]).expect(2);
+    assert!(refused.stderr.contains("ACR8020 has no STREAM2"), "{}", refused.stderr);
+    let refused = bench.acrc(["repl", "--model", "ACR1"]).expect(2);
+    assert!(refused.stderr.contains("the models are ACR9000"), "{}", refused.stderr);
+    bench.acrc(["repl", "--speed", "0"]).expect(2);
+}
+
+#[test]
+fn real_time_is_kept() {
+    let bench = Bench::new();
+    let answer = talk(&bench, &["--speed", "100"], "PROG0\rDWL 2 : ?1\r");
+    assert_eq!(answer, "PROG0\r\nP00>DWL 2 : ?1\r\n1\r\nP00>");
+}
+
+#[test]
+fn a_project_that_does_not_compile_is_not_started() {
+    let bench = Bench::new();
+    bench.file("bad.8K", "PROG0\nPROGRAM\nGOTO nowhere\nENDP\n");
+    let run = bench.acrc(["repl", "bad.8K"]).expect(1);
+    assert!(run.stdout.is_empty() && run.stderr.contains("nowhere"), "{}", run.stderr);
+}
+
+#[test]
+fn what_no_channel_shows_goes_to_standard_error() {
+    let bench = Bench::new();
+    bench.file("setup.8K", "PRINT \"hello\"\nDIM PROG0(100)\n");
+    let output = bench.feed(&["repl", "setup.8K"], b"?1\r");
+    assert_eq!(output.stdout, b"?1\r\n1\r\nSYS>");
+    let notes = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(notes.contains("note: setup: hello\n") && notes.contains("Re-dimensioned block"), "{notes}");
+}
+
+#[test]
+fn the_example_machine_answers() {
+    let bench = Bench::new();
+    let folder = gantry();
+    let folder = folder.to_str().expect("UTF-8");
+    let answer = talk(&bench, &[folder], "PROG0\rATTACH\r");
+    assert_eq!(
+        answer,
+        "PROG0\r\nP00>ATTACH\r\nATTACH MASTER0\r\nATTACH SLAVE0 AXIS0 \"X\"\r\nATTACH SLAVE1 AXIS1 \"Y\"\r\nP00>"
+    );
+}
