@@ -50,7 +50,10 @@ fn what_still_goes_on_is_waited_for_and_no_longer_than_asked() {
     assert_eq!(talk(&bench, &[], "PROG0\rDWL 5 : ?1\r"), "PROG0\r\nP00>DWL 5 : ?1\r\n1\r\nP00>");
     let heard = talk(&bench, &["loop.8K", "--linger", "3500ms"], "LRUN PROG0\r");
     assert_eq!(heard, "LRUN PROG0\r\ntick\r\ntick\r\ntick\r\ntick\r\n");
-    assert_eq!(talk(&bench, &["loop.8K"], "LRUN PROG0\r\u{1b}HALT PROG0\r"), "LRUN PROG0\r\ntick\r\nSYS>HALT PROG0\r\nSYS>");
+    assert_eq!(
+        talk(&bench, &["loop.8K"], "LRUN PROG0\r\u{1b}HALT PROG0\r"),
+        "LRUN PROG0\r\ntick\r\nSYS>HALT PROG0\r\nSYS>"
+    );
 }
 
 #[test]
