@@ -29,6 +29,7 @@ mod terminal;
 pub mod time;
 pub mod world;
 
+pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
 pub use controller::{Controller, Observer, Options, Stopped, Unsupported, View};
 pub use error::ControllerError;

@@ -173,9 +173,21 @@ pub(crate) struct SimArguments {
     /// Seed of the random numbers of RND
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
+    /// What SIN and its like take, which no document says [default: radians, or what acrc.toml says]
+    #[arg(long, value_enum, value_name = "UNIT")]
+    pub(crate) angles: Option<Angles>,
     /// How the run is shown
     #[arg(long, value_enum, default_value_t = SimFormat::Text)]
     pub(crate) format: SimFormat,
+}
+
+/// Unit of angles in functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Angles {
+    /// As in the library of most languages
+    Radians,
+    /// As in SINE and ROTATE
+    Degrees,
 }
 
 /// Forms of the report of a run.

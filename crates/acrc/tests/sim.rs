@@ -65,6 +65,17 @@ fn the_peak_of_a_short_move_lies_between_two_ticks() {
 }
 
 #[test]
+fn angles_are_what_the_project_or_the_command_line_says() {
+    let bench = Bench::new();
+    bench.file("turn/Prog0.8K", "SYS\nDIM P(1)\nPROG0\nPROGRAM\nP0 = SIN(90)\nENDP\n");
+    bench.file("turn/acrc.toml", "[sim]\nangles = \"degrees\"\n");
+    let value = |flags: &str| bench.sim(&format!("turn --run PROG0 --read P0 {flags}"))["values"]["P0"].clone();
+    assert_eq!(value(""), json!(1));
+    assert!((value("--angles radians").as_f64().expect("a number") - 90_f64.sin()).abs() < 1e-12);
+    assert_eq!(value("--angles degrees"), json!(1));
+}
+
+#[test]
 fn what_is_unconfirmed_is_said_once() {
     let bench = Bench::new();
     bench.file("angle.8K", one_axis("CLEAR\nDIM DV(1)\nDV0 = SIN(1) + SIN(2)"));

@@ -48,6 +48,18 @@ pub struct SimConfig {
     pub run: Option<Vec<RunTarget>>,
     /// Length of a simulated run.
     pub until: Option<SimTime>,
+    /// What the angle functions take.
+    pub angles: Option<Angles>,
+}
+
+/// Unit of angles in functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Angles {
+    /// As in the library of most languages.
+    Radians,
+    /// As in `SINE` and `ROTATE`.
+    Degrees,
 }
 
 /// `[fmt]`. What is absent is as the formatter has it by itself.

@@ -112,7 +112,7 @@ impl Controller {
         self.compile(Level::Program(number))?;
         let program = &mut self.programs[usize::from(number)];
         if let (Some(unit), None) = (&program.unit, &program.code) {
-            match Code::load(unit, self.aliases.entries()) {
+            match Code::load_with(unit, self.aliases.entries(), self.load) {
                 Ok(code) => program.code = Some(code),
                 Err(error) => {
                     let number = self.line_number(number, error.location);

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use acrc_catalog::Model;
 use acrc_image::Image;
-use acrc_vm::{Code, Frame, Locals};
+use acrc_vm::{AngleUnit, Code, Frame, LoadOptions, Locals};
 
 pub(crate) use ahead::Pace;
 pub use check::Unsupported;
@@ -38,6 +38,8 @@ pub struct Options {
     pub world: World,
     /// Seed of `RND`.
     pub seed: u64,
+    /// What `SIN` and its like take, which no document says.
+    pub angles: AngleUnit,
 }
 
 /// A controller with an image.
@@ -50,6 +52,8 @@ pub struct Controller {
     plcs: Vec<Program>,
     image: Arc<Image>,
     aliases: Aliases,
+    /// How programs are made ready to run.
+    load: LoadOptions,
     boot: Boot,
     /// Programs to be started when the setup code is done.
     to_start: Vec<u8>,
@@ -83,7 +87,8 @@ impl Controller {
     /// Powers a controller up with an image. Nothing is executed yet.
     pub fn new(image: Arc<Image>, options: Options) -> Result<Self, acrc_vm::LoadError> {
         let model = acrc_catalog::model(&image.model).unwrap_or_else(acrc_catalog::default_model);
-        let code = Code::load(&image.boot, &image.aliases)?;
+        let load = LoadOptions { angle: options.angles };
+        let code = Code::load_with(&image.boot, &image.aliases, load)?;
         let mut machine = Machine::new(model, options.world, options.seed);
         machine.apply_events();
         Ok(Self {
@@ -91,6 +96,7 @@ impl Controller {
             plcs: (0..model.plcs).map(|_| Program::new()).collect(),
             scheduler: Scheduler::new(),
             aliases: Aliases::new(&image.aliases),
+            load,
             to_start: Vec::new(),
             powered: false,
             boot: Boot {

@@ -2,7 +2,7 @@
 
 use acrc_catalog::law;
 use acrc_image::UnitName;
-use acrc_vm::{Code, Doubt, LoadError, Unconfirmed};
+use acrc_vm::{AngleUnit, Code, Doubt, LoadError, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
@@ -91,8 +91,10 @@ impl Controller {
         if needed > available {
             return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.into());
         }
-        let code = Code::load(unit, &self.image.aliases).map_err(|error| Refusal::Code(number, error))?;
-        self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt)));
+        let code =
+            Code::load_with(unit, &self.image.aliases, self.load).map_err(|error| Refusal::Code(number, error))?;
+        let angles = self.load.angle;
+        self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt, angles)));
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
@@ -169,11 +171,11 @@ impl Controller {
 }
 
 /// What a run says of behaviour that no document describes.
-fn unconfirmed_note(program: u8, unconfirmed: &Unconfirmed) -> String {
+fn unconfirmed_note(program: u8, unconfirmed: &Unconfirmed, angles: AngleUnit) -> String {
     let place = format!("PROG{program} line {}", unconfirmed.location.source_line());
     let name = unconfirmed.name;
     match unconfirmed.doubt {
         Doubt::Existence => format!("{place} uses {name}, whose behaviour is unconfirmed"),
-        Doubt::AngleUnit => format!("{place} uses {name}: angles are taken in radians, which is unconfirmed"),
+        Doubt::AngleUnit => format!("{place} uses {name}: angles are taken in {angles}, which is unconfirmed"),
     }
 }

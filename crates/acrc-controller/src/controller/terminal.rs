@@ -174,7 +174,7 @@ impl Controller {
     }
 
     fn pieces(&mut self, line: &str) -> VecDeque<Piece> {
-        Reader { aliases: &mut self.aliases, memory: &self.machine.memory }.read(line)
+        Reader { aliases: &mut self.aliases, memory: &self.machine.memory, load: self.load }.read(line)
     }
 
     /// Adds a line to the text that is entered. Gives what is to be done behind its `ENDP`.

@@ -12,7 +12,7 @@ use acrc_diagnostics::Span;
 use acrc_image::{UnitName, encode};
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Statement, StatementKind};
-use acrc_vm::{Code, Frame};
+use acrc_vm::{Code, Frame, LoadOptions};
 
 use crate::aliases::Aliases;
 use crate::memory::SystemMemory;
@@ -54,6 +54,8 @@ pub(crate) struct Reader<'a> {
     pub(crate) aliases: &'a mut Aliases,
     /// Where the alias table has its memory.
     pub(crate) memory: &'a SystemMemory,
+    /// How statements are made ready to run.
+    pub(crate) load: LoadOptions,
 }
 
 impl Reader<'_> {
@@ -121,7 +123,7 @@ impl Reader<'_> {
             errors.first().map_or_else(String::new, |error| complaint(text, tree, error.span, &error.kind))
         })?;
         let unit = encode(UnitName::Boot, &instructions).map_err(|error| error.to_string())?;
-        Code::load(&unit, self.aliases.entries()).map(Box::new).map_err(|error| error.kind.to_string())
+        Code::load_with(&unit, self.aliases.entries(), self.load).map(Box::new).map_err(|error| error.kind.to_string())
     }
 }
 

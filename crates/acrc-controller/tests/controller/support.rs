@@ -87,7 +87,7 @@ impl Sim {
 
     pub(crate) fn run(&self) -> Ran {
         let world = World::parse(&self.world).expect("the world of a test is valid");
-        let options = Options { world, seed: self.seed };
+        let options = Options { world, seed: self.seed, ..Options::default() };
         let mut controller = Controller::new(Arc::new(self.image()), options).expect("compiled programs load");
         let mut record = Record { watched: self.watched, ..Record::default() };
         let stopped = controller.run(&self.start, self.until, &mut record);

@@ -3,6 +3,8 @@
 //! The angle unit of the trigonometric functions is documented nowhere; radians are assumed and degrees can be chosen.
 //! Results come from one software library on every machine, so that a run gives the same bytes everywhere.
 
+use std::fmt;
+
 use acrc_catalog::{FunctionId, function};
 
 use crate::fault::FaultKind;
@@ -15,6 +17,15 @@ pub enum AngleUnit {
     Radians,
     /// Degrees.
     Degrees,
+}
+
+impl fmt::Display for AngleUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Radians => "radians",
+            Self::Degrees => "degrees",
+        })
+    }
 }
 
 /// How an angle takes part in a function.

@@ -13,22 +13,20 @@ use std::io::IsTerminal as _;
 use std::sync::Arc;
 
 use acrc_catalog::Model;
-use acrc_controller::world::World;
-use acrc_controller::{Controller, Options};
+use acrc_controller::{AngleUnit, Controller, Options};
 use acrc_image::{Image, UnitBuilder, UnitName, VERSION};
 use anyhow::Context as _;
 
 use self::session::Session;
 use super::project::{compile, load, title};
-use super::sim::{load_world, read_world};
+use super::sim::{angles, load_world, read_world};
 use crate::cli::{ColorChoice, ReplArguments, Speed};
 use crate::exit::Exit;
 use crate::output::Terminal;
 
 pub(super) fn run(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Result<Exit> {
-    let Some((name, image, world)) = prepare(arguments, color)? else { return Ok(Exit::Findings) };
+    let Some((name, image, options)) = prepare(arguments, color)? else { return Ok(Exit::Findings) };
     let image = Arc::new(image);
-    let options = Options { world, seed: arguments.seed };
     let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
     controller.start_after_setup(&Controller::boot_programs(&image));
     let first = || controller.model().streams.first().and_then(|name| name.parse().ok());
@@ -47,18 +45,21 @@ pub(super) fn run(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Resu
     Ok(Exit::Clean)
 }
 
-/// What the controller is called, and what it has: of the project, or factory settings. `None` when the project does not compile.
-fn prepare(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Result<Option<(String, Image, World)>> {
+/// What the controller is called, what it has, and how it runs: of the project, or factory settings. `None` when the project does not
+/// compile.
+fn prepare(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Result<Option<(String, Image, Options)>> {
+    let options = |world, angles| Options { world, seed: arguments.seed, angles };
     let Some(path) = &arguments.project else {
         let model = arguments.model.unwrap_or_else(acrc_catalog::default_model);
         let world = arguments.world.as_deref().map(read_world).transpose()?.unwrap_or_default();
-        return Ok(Some(("factory settings".to_owned(), factory(model)?, world)));
+        let options = options(world, AngleUnit::default());
+        return Ok(Some(("factory settings".to_owned(), factory(model)?, options)));
     };
     let mut project = load(path)?;
     project.model = arguments.model.unwrap_or(project.model);
     let world = load_world(arguments.world.as_deref(), &project)?;
     let image = compile(&project, "is not started", Terminal::error(color));
-    Ok(image.map(|image| (title(&project).to_owned(), image, world)))
+    Ok(image.map(|image| (title(&project).to_owned(), image, options(world, angles(None, &project)))))
 }
 
 /// An image without setup code and programs.

@@ -11,9 +11,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use acrc_analysis::project::LoadedProject;
+use acrc_analysis::project::{Angles as ConfigAngles, LoadedProject};
 use acrc_controller::world::World;
-use acrc_controller::{Controller, Options, Stopped};
+use acrc_controller::{AngleUnit, Controller, Options, Stopped};
 use acrc_image::{Image, UnitName};
 use acrc_syntax::units::Level;
 use anyhow::{Context as _, bail};
@@ -21,7 +21,7 @@ use anyhow::{Context as _, bail};
 use self::observer::RunObserver;
 use self::recorder::Recorder;
 use super::project::{check, compile, errors_of, inputs, load, title};
-use crate::cli::{ColorChoice, Register, SimArguments, SimFormat};
+use crate::cli::{Angles, ColorChoice, Register, SimArguments, SimFormat};
 use crate::exit::Exit;
 use crate::output::{Terminal, refuse_clashes};
 
@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
     }
     let mut recorder = Recorder::new(arguments, &image, &world)?;
-    let options = Options { world, seed: arguments.seed };
+    let options = Options { world, seed: arguments.seed, angles: angles(arguments.angles, &project) };
     let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
     check_registers(&controller, &arguments.read)?;
 
@@ -75,6 +75,18 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         SimFormat::Json => json::print(&report)?,
     }
     Ok(exit)
+}
+
+/// The unit of angles of the command line, else of the project.
+pub(super) fn angles(chosen: Option<Angles>, project: &LoadedProject) -> AngleUnit {
+    let configured = project.config.sim.angles.map(|angles| match angles {
+        ConfigAngles::Radians => Angles::Radians,
+        ConfigAngles::Degrees => Angles::Degrees,
+    });
+    match chosen.or(configured) {
+        Some(Angles::Degrees) => AngleUnit::Degrees,
+        Some(Angles::Radians) | None => AngleUnit::Radians,
+    }
 }
 
 fn exit_of(stopped: Stopped, controller: &Controller) -> Exit {
