@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::WorldEvent;
-use acrc_controller::{Controller, FaultReport, Observer, Options, View};
+use acrc_controller::{Controller, FaultReport, Observer, Options, Sent, View};
 use acrc_image::Image;
 use acrc_syntax::units::Level;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -36,7 +36,7 @@ struct Blind {
 }
 
 impl Observer for Blind {
-    fn output(&mut self, _: f64, _: Option<u8>, _: i32, _: &str) {}
+    fn output(&mut self, _: &Sent) {}
     fn fault(&mut self, fault: &FaultReport) {
         panic!("{fault}");
     }

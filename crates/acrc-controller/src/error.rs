@@ -4,6 +4,9 @@ use acrc_catalog::{CommandId, MessageId};
 use acrc_vm::FaultKind;
 use thiserror::Error;
 
+use crate::streams::DeviceError;
+use crate::terminal::StreamName;
+
 /// Why a statement could not be executed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ControllerError {
@@ -165,6 +168,31 @@ pub enum ControllerError {
     /// A move that the profiler refuses.
     #[error("{0}")]
     Move(String),
+    /// Reading from a device that has no stream.
+    #[error("#{device} is not open: OPEN \"COM1:9600,n,8,1\" AS #{device} or the like comes first")]
+    NotOpen {
+        /// The device.
+        device: i32,
+    },
+    /// `OPEN` of a device that has another stream.
+    #[error("#{device} is open already, as {stream}: CLOSE #{device} comes first")]
+    DeviceOpen {
+        /// The device.
+        device: u8,
+        /// What it is.
+        stream: StreamName,
+    },
+    /// `OPEN` of a stream that another device has.
+    #[error("{stream} is open already, as #{device}: CLOSE #{device} comes first")]
+    StreamOpen {
+        /// The stream.
+        stream: StreamName,
+        /// The device that has it.
+        device: u8,
+    },
+    /// `OPEN` of something that is no device.
+    #[error("OPEN: {0}")]
+    Device(#[from] DeviceError),
     /// A command that this dry run does not execute.
     #[error("{} is not simulated", .0.info().name)]
     NotSimulated(CommandId),

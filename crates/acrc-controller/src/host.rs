@@ -52,6 +52,7 @@ impl Host for Context<'_> {
 
     fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind> {
         self.catch_up();
+        self.machine.streams.awaited = None;
         let outcome = self.execute(call).map_err(FaultKind::from);
         self.look(true);
         outcome
@@ -69,13 +70,18 @@ impl Host for Context<'_> {
         (((mixed >> 32) * u64::from(below)) >> 32) as u32
     }
 
-    /// Nobody types at the devices of a dry run.
-    fn take_character(&mut self, _: i32) -> Result<Option<u8>, FaultKind> {
-        Ok(None)
+    fn take_character(&mut self, device: i32) -> Result<Option<u8>, FaultKind> {
+        self.catch_up();
+        let port = self.input_port(device)?;
+        let character = self.machine.streams.take(port);
+        self.machine.streams.awaited = character.is_none().then_some(port);
+        Ok(character)
     }
 
-    fn character_waits(&mut self, _: i32) -> Result<bool, FaultKind> {
-        Ok(false)
+    fn character_waits(&mut self, device: i32) -> Result<bool, FaultKind> {
+        self.catch_up();
+        let port = self.input_port(device)?;
+        Ok(self.machine.streams.waits(port))
     }
 
     #[inline]

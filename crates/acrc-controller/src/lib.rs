@@ -25,15 +25,17 @@ mod report;
 mod request;
 mod scheduler;
 mod settings;
+mod streams;
 mod terminal;
 pub mod time;
 pub mod world;
 
 pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
-pub use controller::{Controller, Observer, Options, Stopped, Unsupported, View};
+pub use controller::{Controller, Observer, Options, Sent, Stopped, Unsupported, View};
 pub use error::ControllerError;
 pub use master::MasterStatistics;
 pub use program::State;
 pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};
+pub use streams::{DeviceError, Port};
 pub use terminal::{ChannelId, PromptState, StreamError, StreamName};

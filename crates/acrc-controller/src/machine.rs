@@ -18,6 +18,7 @@ use crate::network::Network;
 use crate::registers::Registers;
 use crate::request::Request;
 use crate::settings::Settings;
+use crate::streams::Streams;
 use crate::terminal::Terminal;
 use crate::time::Clock;
 use crate::world::World;
@@ -57,6 +58,7 @@ pub(crate) struct Machine {
     /// The hardware of `CONFIG` where it is not that of the factory.
     pub(crate) config: Option<String>,
     pub(crate) requests: Vec<Request>,
+    pub(crate) streams: Streams,
     /// What the run relied on without proof, or left out; each said once.
     pub(crate) notes: BTreeSet<String>,
     pub(crate) random: u64,
@@ -84,6 +86,7 @@ impl Machine {
             password: None,
             config: None,
             requests: Vec::new(),
+            streams: Streams::default(),
             notes: BTreeSet::new(),
             random: seed,
             world,

@@ -6,6 +6,7 @@ use std::fmt;
 use acrc_catalog::{Model, memory};
 
 use crate::error::ControllerError;
+use crate::terminal::StreamName;
 
 /// A block of system memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -90,6 +91,15 @@ impl SystemMemory {
     /// Every block with its bytes.
     pub(crate) fn blocks(&self) -> impl Iterator<Item = (Block, u32)> {
         self.blocks.iter().map(|(block, bytes)| (*block, *bytes))
+    }
+
+    /// Size of the buffer of a stream.
+    pub(crate) fn stream_bytes(&self, stream: StreamName) -> u32 {
+        let block = match stream {
+            StreamName::Stream(number) => self.size(Block::Stream(number)),
+            StreamName::Fifo | StreamName::DualPort | StreamName::Com(_) => None,
+        };
+        block.unwrap_or(memory::FACTORY_STREAM_BYTES)
     }
 
     /// Bytes that no block has.

@@ -3,6 +3,7 @@
 use acrc_image::Unit;
 use acrc_vm::{Code, Frame, Locals};
 
+use crate::streams::Port;
 use crate::terminal::StoredText;
 
 /// Where a program is in its life.
@@ -75,6 +76,8 @@ pub(crate) struct Program {
     /// Tick at which its dwell ends.
     pub(crate) release: Option<u64>,
     pub(crate) watch: Watch,
+    /// Where it waits for characters.
+    pub(crate) awaits: Option<Port>,
     /// The machine's count of changes when the program last found that it must wait.
     pub(crate) waited_at: u64,
     pub(crate) statements: u64,
@@ -93,6 +96,7 @@ impl Program {
             state: State::Idle,
             release: None,
             watch: Watch::default(),
+            awaits: None,
             waited_at: 0,
             statements: 0,
         }

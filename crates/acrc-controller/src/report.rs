@@ -5,6 +5,7 @@ use std::fmt;
 use crate::axis::AxisStatistics;
 use crate::master::MasterStatistics;
 use crate::program::State;
+use crate::streams::Port;
 
 /// A run-time error.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +49,8 @@ pub struct ProgramReport {
     pub state: State,
     /// Line of its next statement, from 1; the last one when it has ended.
     pub line: Option<u32>,
+    /// Where it waits for characters (`INPUT`, `GETCH`).
+    pub awaits: Option<Port>,
     /// Statements executed.
     pub statements: u64,
 }

@@ -13,6 +13,11 @@
 //! clear = [4]                 # inputs that go off
 //! parameters = { P6408 = 2.5 } # parameters that get a value: 2.5 V at analog input 0
 //! note = "operator reaches in" # shown in plots
+//!
+//! [[event]]
+//! at = "4s"
+//! stream = "COM1"             # or PROG0: at the terminal that listens to program 0
+//! text = "12\n"               # typed there; the end of a line is the Enter key
 //! ```
 
 use std::collections::BTreeMap;
@@ -21,6 +26,8 @@ use serde::Deserialize;
 use thiserror::Error;
 
 use crate::registers::is_plain_parameter;
+use crate::streams::{Port, as_typed};
+use crate::terminal::StreamError;
 use crate::time::parse_duration;
 
 /// Number of onboard inputs that a world may drive (bits 0-31).
@@ -37,8 +44,19 @@ pub struct WorldEvent {
     pub clear: Vec<u32>,
     /// Parameters that get a value: analog inputs, user parameters that a host writes. Programs may be refused to write them.
     pub parameters: Vec<(u32, f64)>,
+    /// What somebody types.
+    pub typed: Option<TypedText>,
     /// What it stands for, for people.
     pub note: Option<String>,
+}
+
+/// Text that somebody types.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TypedText {
+    /// Where.
+    pub port: Port,
+    /// The characters, one byte each.
+    pub text: Vec<u8>,
 }
 
 /// The world of one run: names of inputs and events in order of time.
@@ -96,8 +114,30 @@ pub enum WorldError {
         /// The key.
         name: String,
     },
+    /// A stream that no controller has.
+    #[error("event {event}: {problem}; PROG0 stands for the terminal that listens to program 0")]
+    UnknownStream {
+        /// Position in the file, from 1.
+        event: usize,
+        /// Why.
+        problem: StreamError,
+    },
+    /// `stream` without `text`, or the other way round.
+    #[error("event {event}: `stream` and `text` belong together: where something is typed, and what")]
+    HalfTyped {
+        /// Position in the file, from 1.
+        event: usize,
+    },
+    /// A character that no controller has.
+    #[error("event {event}: `{character}` cannot be typed at a controller: its characters have one byte")]
+    Character {
+        /// Position in the file, from 1.
+        event: usize,
+        /// The character.
+        character: char,
+    },
     /// An event with nothing in it.
-    #[error("event {event}: it changes no input: give `set`, `clear` or `parameters`")]
+    #[error("event {event}: nothing happens in it: give `set`, `clear`, `parameters`, or `stream` and `text`")]
     Empty {
         /// Position in the file, from 1.
         event: usize,
@@ -123,6 +163,8 @@ struct EventFile {
     clear: Vec<InputFile>,
     #[serde(default)]
     parameters: BTreeMap<String, f64>,
+    stream: Option<String>,
+    text: Option<String>,
     note: Option<String>,
 }
 
@@ -198,7 +240,8 @@ fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) ->
     if !(at.is_finite() && (0.0..=1e9).contains(&at)) {
         return Err(WorldError::Unreachable { event, at });
     }
-    if file.set.is_empty() && file.clear.is_empty() && file.parameters.is_empty() {
+    let typed = read_typed(event, file)?;
+    if file.set.is_empty() && file.clear.is_empty() && file.parameters.is_empty() && typed.is_none() {
         return Err(WorldError::Empty { event });
     }
     let resolve = |list: &[InputFile]| {
@@ -215,8 +258,21 @@ fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) ->
         set: resolve(&file.set)?,
         clear: resolve(&file.clear)?,
         parameters: parameters.collect::<Result<_, WorldError>>()?,
+        typed,
         note: file.note.clone(),
     })
+}
+
+fn read_typed(event: usize, file: &EventFile) -> Result<Option<TypedText>, WorldError> {
+    let (stream, text) = match (&file.stream, &file.text) {
+        (None, None) => return Ok(None),
+        (Some(stream), Some(text)) => (stream, text),
+        _ => return Err(WorldError::HalfTyped { event }),
+    };
+    let port = stream.parse().map_err(|problem| WorldError::UnknownStream { event, problem })?;
+    let byte = |character| u8::try_from(character).map_err(|_| WorldError::Character { event, character });
+    let text = text.chars().map(byte).collect::<Result<Vec<u8>, WorldError>>()?;
+    Ok(Some(TypedText { port, text: as_typed(&text) }))
 }
 
 fn resolve_input(event: usize, input: &InputFile, inputs: &BTreeMap<String, u32>) -> Result<u32, WorldError> {
@@ -245,7 +301,7 @@ mod tests {
         .expect("a valid world");
         assert_eq!(
             world.events()[0],
-            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], parameters: vec![], note: Some("hand".to_owned()) }
+            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], parameters: vec![], typed: None, note: Some("hand".to_owned()) }
         );
         assert_eq!(world.events()[1].at, 3.0);
         assert_eq!(world.driven_inputs(), [4, 10]);
@@ -260,7 +316,10 @@ mod tests {
             ("[inputs]\ndoor = -1", "input `door`: -1 is no onboard input: they are bits 0 to 31"),
             ("[[event]]\nat = \"soon\"\nset = [1]", "event 1: `soon` is no duration"),
             ("[[event]]\nat = -1.0\nset = [1]", "event 1: a time of -1 seconds is not possible"),
-            ("[[event]]\nat = 1", "event 1: it changes no input"),
+            ("[[event]]\nat = 1", "event 1: nothing happens in it"),
+            ("[[event]]\nat = 1\ntext = \"a\"", "event 1: `stream` and `text` belong together"),
+            ("[[event]]\nat = 1\nstream = \"COM9\"\ntext = \"a\"", "event 1: `COM9` is no stream"),
+            ("[[event]]\nat = 1\nstream = \"COM1\"\ntext = \"\u{20ac}\"", "event 1: `\u{20ac}` cannot be typed"),
             ("[[event]]\nat = 1\nparameters = { P12290 = 1 }", "event 1: `P12290` is no parameter that keeps a value"),
             ("[[event]]\nat = 1\nparameters = { P4097 = 1 }", "event 1: `P4097` is no parameter that keeps a value"),
             ("[[event]]\nat = 1\nparameters = { BIT5 = 1 }", "event 1: `BIT5` is no parameter that keeps a value"),

@@ -128,6 +128,8 @@ pub enum Arg {
         target: Reference,
         /// A minus stands in front of it: `IHPOS -P12290 (100, 5)`.
         negative: bool,
+        /// What stands behind it; a semicolon behind the last variable of an `INPUT` keeps the cursor on the line.
+        mark: Mark,
     },
     /// A flag that the command names.
     Bit {

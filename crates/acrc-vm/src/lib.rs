@@ -80,6 +80,6 @@ pub use host::{Arg, ArgValue, Call, Host, Outcome, Reference, Source};
 pub use load::{LoadError, LoadErrorKind, LoadOptions};
 pub use locals::{Dimension, Locals, LocalsImage, RestoreError, TextsImage};
 pub use own::executes;
-pub use run::{Budget, Run, Stop, run};
+pub use run::{Budget, Run, Stop, input_fits, run};
 pub use text::Text;
 pub use value::{Value, double_to_long};

@@ -78,6 +78,7 @@ pub(crate) enum Part {
     Reference {
         named: Named,
         negative: bool,
+        mark: Mark,
     },
     /// `signed`: the sign of the number counts, because it is written as a number and not as a flag.
     Bit {
@@ -153,7 +154,9 @@ impl Part {
             Self::Word { keyword, index } => Arg::Word { keyword: *keyword, index: *index },
             Self::Interpolation(command) => Arg::Interpolation(*command),
             Self::Device(index) => Arg::Device(slots.index(*index)? as i32),
-            Self::Reference { named, negative } => Arg::Reference { target: named.build(slots)?, negative: *negative },
+            Self::Reference { named, negative, mark } => {
+                Arg::Reference { target: named.build(slots)?, negative: *negative, mark: *mark }
+            }
             Self::Bit { index, negative, signed } => {
                 let index = slots.index(*index)?;
                 let minus = *signed && index < 0;

@@ -105,7 +105,7 @@ fn mask(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
 /// A parameter, the sign in front of it, and the values behind it.
 fn parameter_and_tuple<'c>(call: &Call<'c>) -> Result<(i64, bool, &'c [Value]), ControllerError> {
     match call.arguments {
-        [Arg::Reference { target: Reference::Parameter(number), negative }, Arg::Tuple(values)] => {
+        [Arg::Reference { target: Reference::Parameter(number), negative, .. }, Arg::Tuple(values)] => {
             Ok((*number, *negative, values))
         }
         _ => Err(ControllerError::Expected { command: call.command.info().name, expected: "a parameter and a tuple" }),

@@ -133,7 +133,7 @@ fn argument_items(command: &'static str, argument: &Arg) -> Result<Vec<Item>, Co
         Arg::Tuple(values) => values.iter().cloned().map(Item::Number).collect(),
         Arg::Object { kind, index, value: ArgValue::None, .. } => vec![Item::Source(Source::Object(*kind, *index))],
         Arg::Word { keyword, index } => vec![Item::Source(Source::Word(*keyword, *index))],
-        Arg::Reference { target, negative: false } => vec![Item::Source(Source::Reference(*target))],
+        Arg::Reference { target, negative: false, .. } => vec![Item::Source(Source::Reference(*target))],
         Arg::Bit { index, negative: false } => vec![Item::Source(Source::Reference(Reference::Bit(*index)))],
         _ => return Err(ControllerError::Expected { command, expected: "values behind it" }),
     })

@@ -9,6 +9,7 @@ mod reports;
 mod requests;
 mod run;
 mod setup;
+mod streams;
 mod terminal;
 mod view;
 
@@ -20,7 +21,7 @@ use acrc_vm::{AngleUnit, Code, Frame, LoadOptions, Locals};
 
 pub(crate) use ahead::Pace;
 pub use check::Unsupported;
-pub use observer::Observer;
+pub use observer::{Observer, Sent};
 pub use run::Stopped;
 pub use view::View;
 
@@ -29,6 +30,7 @@ use crate::machine::Machine;
 use crate::program::{Program, Watch};
 use crate::report::FaultReport;
 use crate::scheduler::Scheduler;
+use crate::terminal::ChannelId;
 use crate::world::World;
 
 /// What a run is made with.
@@ -57,6 +59,8 @@ pub struct Controller {
     boot: Boot,
     /// Programs to be started when the setup code is done.
     to_start: Vec<u8>,
+    /// Terminals at which the world types.
+    scripted: Vec<ChannelId>,
     /// The tick at which power came on is over.
     powered: bool,
     /// Events of the world that the observer has been told of.
@@ -98,6 +102,7 @@ impl Controller {
             aliases: Aliases::new(&image.aliases),
             load,
             to_start: Vec::new(),
+            scripted: Vec::new(),
             powered: false,
             boot: Boot {
                 code,

@@ -2,12 +2,28 @@
 
 use super::View;
 use crate::report::FaultReport;
+use crate::terminal::StreamName;
 use crate::world::WorldEvent;
+
+/// Text that was sent to a device.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sent<'a> {
+    /// Virtual time in seconds.
+    pub seconds: f64,
+    /// The program that sent it; `None` for setup code, and for the terminal of a stream.
+    pub program: Option<u8>,
+    /// The device.
+    pub device: i32,
+    /// The stream that it went to; `None` for whoever listens to the program.
+    pub stream: Option<StreamName>,
+    /// The characters.
+    pub text: &'a str,
+}
 
 /// Receives what a run produces, while it happens.
 pub trait Observer {
-    /// Text that a program (`None`: setup code) sends to a device. Lines end with CR LF.
-    fn output(&mut self, seconds: f64, program: Option<u8>, device: i32, text: &str);
+    /// Text was sent to a device. Lines end with CR LF.
+    fn output(&mut self, sent: &Sent);
     /// A run-time error.
     fn fault(&mut self, fault: &FaultReport);
     /// The world has changed inputs.

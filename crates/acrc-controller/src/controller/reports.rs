@@ -2,6 +2,7 @@
 
 use super::{Controller, View};
 use crate::error::ControllerError;
+use crate::program::State;
 use crate::report::{AxisReport, MasterReport, ProgramReport};
 
 impl Controller {
@@ -36,6 +37,7 @@ impl Controller {
             .map(|(number, program, code)| ProgramReport {
                 program: number as u8,
                 state: program.state,
+                awaits: program.awaits.filter(|_| program.state == State::Waiting),
                 line: Some(code.location(program.frame.pc()).source_line()),
                 statements: program.statements,
             })

@@ -34,7 +34,7 @@ impl Controller {
             // `PERIOD` in the setup code changes how many ticks a time takes.
             let end = self.machine.clock.tick_at(until);
             self.execute_tick(end, observer);
-            if self.is_over() {
+            if self.is_idle() {
                 self.machine.settle();
                 return Stopped::Ended;
             }
@@ -140,10 +140,11 @@ impl Controller {
     fn report_events(&mut self, observer: &mut dyn Observer) -> bool {
         let applied = self.machine.applied_events();
         let new = applied > self.reported_events;
-        for event in &self.machine.world().events()[self.reported_events..applied] {
+        let first = std::mem::replace(&mut self.reported_events, applied);
+        for event in &self.machine.world().events()[first..applied] {
             observer.event(self.machine.clock.seconds(), event, &View { machine: &self.machine });
         }
-        self.reported_events = applied;
+        self.type_events(first..applied);
         new
     }
 
@@ -218,6 +219,7 @@ impl Controller {
             self.changes += 1;
         }
         program.waited_at = self.changes;
+        program.awaits = self.machine.streams.awaited.filter(|_| run.stop == Stop::Blocked);
         program.state = match run.stop {
             Stop::Budget => State::Running,
             Stop::Blocked => State::Waiting,

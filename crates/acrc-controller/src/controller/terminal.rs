@@ -27,10 +27,7 @@ impl Controller {
     /// # Errors
     /// When the model has no such stream, or another channel uses it.
     pub fn open_channel(&mut self, stream: StreamName) -> Result<ChannelId, StreamError> {
-        let model = self.machine.model;
-        if !model.streams.contains(&stream.to_string().as_str()) {
-            return Err(StreamError::Missing { stream, model: model.name, streams: model.streams });
-        }
+        stream.check(self.machine.model)?;
         self.machine.terminal.open(stream)
     }
 
@@ -40,13 +37,13 @@ impl Controller {
     }
 
     /// Bytes have been typed. Ctrl-X, Ctrl-Y and Ctrl-Z act at once, in the middle of a line too; the rest is read in the next slice of
-    /// communication.
+    /// communication, or by programs while they have the stream open, or while the channel listens to a program.
     pub fn receive(&mut self, channel: ChannelId, bytes: &[u8]) {
         for byte in bytes {
             if let Some(key) = Key::of(*byte) {
                 self.press(key);
-            } else if let Some(channel) = self.machine.terminal.get_mut(channel) {
-                channel.push(*byte);
+            } else {
+                self.take_in(channel, *byte);
             }
         }
     }
@@ -111,16 +108,21 @@ impl Controller {
     /// A slice of communication.
     pub(super) fn communicate(&mut self, observer: &mut dyn Observer) {
         for id in self.machine.terminal.ids() {
-            self.with_channel(id, |channel| {
-                // Nobody could end a wait for what never comes, or a loop, in another way.
-                if channel.typed.is_some() && channel.skip_to_escape() {
-                    channel.typed = Some(Typed::default());
-                }
-            });
-            for _ in 0..STATEMENTS_PER_SLICE {
-                if !self.serve(id, observer) {
-                    break;
-                }
+            self.serve_channel(id, observer);
+        }
+        self.show_scripted(observer);
+    }
+
+    fn serve_channel(&mut self, id: ChannelId, observer: &mut dyn Observer) {
+        self.with_channel(id, |channel| {
+            // Nobody could end a wait for what never comes, or a loop, in another way.
+            if channel.typed.is_some() && channel.skip_to_escape() {
+                channel.typed = Some(Typed::default());
+            }
+        });
+        for _ in 0..STATEMENTS_PER_SLICE {
+            if !self.serve(id, observer) {
+                break;
             }
         }
     }

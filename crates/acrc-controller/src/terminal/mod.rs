@@ -97,6 +97,18 @@ impl Terminal {
         }
     }
 
+    /// Sends bytes to whoever has a stream.
+    pub(crate) fn send_to(&mut self, stream: StreamName, bytes: &[u8]) {
+        if let Some(channel) = self.channels.values_mut().find(|channel| channel.stream == stream) {
+            channel.send(bytes);
+        }
+    }
+
+    /// The channel of a stream.
+    pub(crate) fn find(&self, stream: StreamName) -> Option<ChannelId> {
+        self.channels.iter().find(|(_, channel)| channel.stream == stream).map(|(id, _)| *id)
+    }
+
     /// Sends bytes to those who listen to a program.
     pub(crate) fn tell_listeners(&mut self, program: u8, bytes: &[u8]) {
         for channel in self.channels.values_mut().filter(|channel| channel.listening == Some(program)) {

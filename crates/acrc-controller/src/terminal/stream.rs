@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use acrc_catalog::Model;
 use thiserror::Error;
 
 /// A communication stream of a controller.
@@ -47,6 +48,19 @@ impl fmt::Display for StreamName {
             Self::Com(number) => write!(f, "COM{number}"),
             Self::Stream(number) => write!(f, "STREAM{number}"),
         }
+    }
+}
+
+impl StreamName {
+    /// Whether a model has it.
+    ///
+    /// # Errors
+    /// When it has not.
+    pub fn check(self, model: &'static Model) -> Result<(), StreamError> {
+        if model.streams.contains(&self.to_string().as_str()) {
+            return Ok(());
+        }
+        Err(StreamError::Missing { stream: self, model: model.name, streams: model.streams })
     }
 }
 

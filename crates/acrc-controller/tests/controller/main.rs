@@ -3,6 +3,7 @@
 mod attachments;
 mod bits;
 mod catalogue;
+mod devices;
 mod extremes;
 mod holds;
 mod memory;

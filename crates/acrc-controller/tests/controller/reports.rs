@@ -43,7 +43,7 @@ fn limits_are_kept_with_a_note() {
 
 #[test]
 fn prints_say_where_they_come_from() {
-    let ran = Sim::program("PRINT #1, \"one\"\nPRINT \"a\"; \"b\", 1.5").run().clean();
+    let ran = Sim::program("OPEN \"COM1:\" AS #1\nPRINT #1, \"one\"\nPRINT \"a\"; \"b\", 1.5").run().clean();
     let lines: Vec<_> = ran.record.output.iter().map(|line| (line.program, line.device, &*line.text)).collect();
     assert_eq!(lines, [(Some(0), 1, "one"), (Some(0), 0, "ab\t1.5")]);
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::{World, WorldEvent};
-use acrc_controller::{Controller, FaultReport, Observer, Options, Stopped, View};
+use acrc_controller::{Controller, FaultReport, Observer, Options, Port, Sent, Stopped, View};
 use acrc_image::Image;
 use acrc_syntax::units::Level;
 
@@ -18,6 +18,7 @@ pub(crate) struct Sim {
     start: Vec<u8>,
     until: f64,
     world: String,
+    typed: Vec<(&'static str, &'static str)>,
     seed: u64,
     model: &'static str,
     watched: bool,
@@ -31,6 +32,7 @@ impl Sim {
             start: Vec::new(),
             until: 60.0,
             world: String::new(),
+            typed: Vec::new(),
             seed: 0,
             model: "ACR9000",
             watched: true,
@@ -54,6 +56,12 @@ impl Sim {
 
     pub(crate) fn world(mut self, world: &str) -> Self {
         world.clone_into(&mut self.world);
+        self
+    }
+
+    /// Offers text at a port.
+    pub(crate) fn offer(mut self, port: &'static str, text: &'static str) -> Self {
+        self.typed.push((port, text));
         self
     }
 
@@ -89,6 +97,9 @@ impl Sim {
         let world = World::parse(&self.world).expect("the world of a test is valid");
         let options = Options { world, seed: self.seed, ..Options::default() };
         let mut controller = Controller::new(Arc::new(self.image()), options).expect("compiled programs load");
+        for (port, text) in &self.typed {
+            controller.offer(port.parse::<Port>().expect("a port"), text.as_bytes());
+        }
         let mut record = Record { watched: self.watched, ..Record::default() };
         let stopped = controller.run(&self.start, self.until, &mut record);
         Ran { controller, stopped, record }
@@ -117,6 +128,7 @@ pub(crate) struct Line {
     pub(crate) milliseconds: f64,
     pub(crate) program: Option<u8>,
     pub(crate) device: i32,
+    pub(crate) stream: Option<String>,
     pub(crate) text: String,
 }
 
@@ -132,9 +144,11 @@ pub(crate) struct Record {
 }
 
 impl Observer for Record {
-    fn output(&mut self, seconds: f64, program: Option<u8>, device: i32, text: &str) {
-        let text = text.strip_suffix("\r\n").unwrap_or(text).to_owned();
-        self.output.push(Line { milliseconds: milliseconds(seconds), program, device, text });
+    fn output(&mut self, sent: &Sent) {
+        let text = sent.text.strip_suffix("\r\n").unwrap_or(sent.text).to_owned();
+        let stream = sent.stream.map(|stream| stream.to_string());
+        let milliseconds = milliseconds(sent.seconds);
+        self.output.push(Line { milliseconds, program: sent.program, device: sent.device, stream, text });
     }
 
     fn fault(&mut self, fault: &FaultReport) {

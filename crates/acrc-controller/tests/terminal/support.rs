@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::WorldEvent;
-use acrc_controller::{ChannelId, Controller, FaultReport, Observer, Options, PromptState, View};
+use acrc_controller::{ChannelId, Controller, FaultReport, Observer, Options, PromptState, Sent, View};
 use acrc_syntax::units::Level;
 
 /// Two axes of program 0 that need 1.1 seconds for 10 units.
@@ -22,8 +22,8 @@ pub(crate) struct Log {
 }
 
 impl Observer for Log {
-    fn output(&mut self, _: f64, _: Option<u8>, _: i32, text: &str) {
-        self.output.push(text.to_owned());
+    fn output(&mut self, sent: &Sent) {
+        self.output.push(sent.text.to_owned());
     }
 
     fn fault(&mut self, fault: &FaultReport) {

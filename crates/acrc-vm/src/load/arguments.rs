@@ -80,7 +80,7 @@ impl Loader<'_> {
                 Part::Device(self.index(&number)?)
             }
             node => match self.reference(node, naming)? {
-                Some((named, negative)) => Part::Reference { named, negative },
+                Some((named, negative)) => Part::Reference { named, negative, mark: item.mark },
                 None => self.value_item(node, item.mark)?,
             },
         })

@@ -18,6 +18,8 @@ use crate::frame::Frame;
 use crate::host::Host;
 use crate::locals::Locals;
 
+pub use input::input_fits;
+
 /// How much a program may do at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {

@@ -35,7 +35,7 @@ pub(super) fn run(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Resu
 
     let interactive = std::io::stdin().is_terminal();
     let speed = arguments.speed.unwrap_or(if interactive { Speed::Factor(1.0) } else { Speed::Max });
-    let mut session = Session::new(controller, channel, speed, Terminal::error(color));
+    let mut session = Session::new(controller, (channel, stream), speed, Terminal::error(color));
     session.power_up();
     if interactive {
         editor::run(&mut session, &name, Terminal::output(color))?;

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use acrc_controller::world::WorldEvent;
-use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, View};
+use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, Sent, StreamName, View};
 use acrc_syntax::units::Level;
 
 use crate::cli::Speed;
@@ -26,8 +26,15 @@ pub(super) struct Session {
 }
 
 impl Session {
-    pub(super) fn new(controller: Controller, channel: ChannelId, speed: Speed, terminal: Terminal) -> Self {
-        Self { controller, channel, speed, since: (Instant::now(), 0.0), notes: Notes::default(), terminal }
+    /// At a channel that was opened on this stream.
+    pub(super) fn new(
+        controller: Controller,
+        (channel, stream): (ChannelId, StreamName),
+        speed: Speed,
+        terminal: Terminal,
+    ) -> Self {
+        let notes = Notes { stream, list: Vec::new() };
+        Self { controller, channel, speed, since: (Instant::now(), 0.0), notes, terminal }
     }
 
     /// Executes the setup code.
@@ -103,7 +110,7 @@ impl Session {
     /// Tells what no channel shows: setup code has no terminal, and a program without a listener is silent.
     fn tell(&mut self) {
         let listening = self.state() == PromptState::Listening;
-        for note in std::mem::take(&mut self.notes.0) {
+        for note in std::mem::take(&mut self.notes.list) {
             if !(listening && note.shown_to_listeners) {
                 // Standard error may be gone; the session goes on.
                 crate::exit::note(&note.text, self.terminal);
@@ -119,23 +126,28 @@ struct Note {
 }
 
 /// What the run has told.
-#[derive(Default)]
-struct Notes(Vec<Note>);
+struct Notes {
+    /// The stream at which the session is: it shows what is sent there.
+    stream: StreamName,
+    list: Vec<Note>,
+}
 
 impl Observer for Notes {
-    fn output(&mut self, _: f64, program: Option<u8>, device: i32, text: &str) {
-        let source = match (program, device) {
-            (None, _) => "setup".to_owned(),
+    fn output(&mut self, sent: &Sent) {
+        let source = match (sent.program, sent.stream) {
+            (_, Some(stream)) if stream == self.stream => return,
+            (None, None) => "setup".to_owned(),
+            (None, Some(stream)) => format!("setup {stream}"),
             // What a program prints on device 0 is for those who listen to it.
-            (Some(_), 0) => return,
-            (Some(program), device) => format!("PROG{program} #{device}"),
+            (Some(_), None) => return,
+            (Some(program), Some(stream)) => format!("PROG{program} {stream}"),
         };
-        let text = text.trim_end_matches(['\r', '\n']).escape_debug();
-        self.0.push(Note { text: format!("{source}: {text}"), shown_to_listeners: false });
+        let text = sent.text.trim_end_matches(['\r', '\n']).escape_debug();
+        self.list.push(Note { text: format!("{source}: {text}"), shown_to_listeners: false });
     }
 
     fn fault(&mut self, fault: &FaultReport) {
-        self.0.push(Note { text: fault.to_string(), shown_to_listeners: fault.program.is_some() });
+        self.list.push(Note { text: fault.to_string(), shown_to_listeners: fault.program.is_some() });
     }
 
     fn event(&mut self, _: f64, _: &WorldEvent, _: &View) {}
