@@ -301,7 +301,14 @@ mod tests {
         .expect("a valid world");
         assert_eq!(
             world.events()[0],
-            WorldEvent { at: 1.5, set: vec![10, 4], clear: vec![], parameters: vec![], typed: None, note: Some("hand".to_owned()) }
+            WorldEvent {
+                at: 1.5,
+                set: vec![10, 4],
+                clear: vec![],
+                parameters: vec![],
+                typed: None,
+                note: Some("hand".to_owned())
+            }
         );
         assert_eq!(world.events()[1].at, 3.0);
         assert_eq!(world.driven_inputs(), [4, 10]);

@@ -6,6 +6,7 @@ mod repl;
 
 use std::path::PathBuf;
 
+use acrc_controller::Port;
 use acrc_image::UnitName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -144,6 +145,7 @@ pub(crate) enum MemFormat {
 #[derive(Args, Debug)]
 #[command(after_help = "Without --run, the programs that begin with PBOOT are started, as at power-up.\n\
                         A program that never ends is stopped at --until; that is no error.\n\
+                        Standard input is read to its end before the run begins.\n\
                         Exit status: 0 the run went well, 1 a run-time error occurred, 2 could not run, 130 interrupted.")]
 pub(crate) struct SimArguments {
     /// The project
@@ -176,6 +178,12 @@ pub(crate) struct SimArguments {
     /// What SIN and its like take, which no document says [default: radians, or what acrc.toml says]
     #[arg(long, value_enum, value_name = "UNIT")]
     pub(crate) angles: Option<Angles>,
+    /// Type the lines of a file at a stream (COM1=FILE), or to a program as who listens to it (PROG0=FILE), whenever it asks; `-` is standard input
+    #[arg(long, value_name = "NAME=FILE", value_parser = parse_port_file)]
+    pub(crate) input: Vec<PortFile>,
+    /// Write what is sent to a stream (COM1=FILE), or to who listens to a program (PROG0=FILE)
+    #[arg(long, value_name = "NAME=FILE", value_parser = parse_port_file)]
+    pub(crate) output: Vec<PortFile>,
     /// How the run is shown
     #[arg(long, value_enum, default_value_t = SimFormat::Text)]
     pub(crate) format: SimFormat,
@@ -188,6 +196,13 @@ pub(crate) enum Angles {
     Radians,
     /// As in SINE and ROTATE
     Degrees,
+}
+
+/// A stream or the terminal of a program, and the file that stands for it.
+#[derive(Clone, Debug)]
+pub(crate) struct PortFile {
+    pub(crate) port: Port,
+    pub(crate) path: PathBuf,
 }
 
 /// Forms of the report of a run.
@@ -234,6 +249,13 @@ fn parse_text(text: &str) -> Result<UnitName, String> {
         (Some(_), None) => Err("PLC programs are PLC0 to PLC7".to_owned()),
         (None, _) => parse_program(text).map(UnitName::Program),
     }
+}
+
+fn parse_port_file(text: &str) -> Result<PortFile, String> {
+    let (port, path) = text.split_once('=').filter(|(_, path)| !path.is_empty()).ok_or("write NAME=FILE")?;
+    let port =
+        port.parse::<Port>().map_err(|error| format!("{error}; PROG0 is the terminal that listens to program 0"))?;
+    Ok(PortFile { port, path: path.into() })
 }
 
 fn parse_time(text: &str) -> Result<f64, String> {

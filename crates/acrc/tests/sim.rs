@@ -219,7 +219,7 @@ fn flow_expressions_and_output_work_together() {
         IF (LV1 = 6) THEN PRINT \"six\" : GOSUB Say\n\
         IF (LV1 > 6)\nPRINT \"more\"\nELSEIF (LV1 = 6)\nPRINT \"equal\"\nELSE\nPRINT \"less\"\nENDIF\n\
         $V0 = \"a\" + \"b\"\nPRINT $V0; LV2, BIT10\nEND\n\
-        _Say\nPRINT #1, \"said \";\nPRINT #1, 2 + 6 / 3 * 5 - 9\nRETURN";
+        _Say\nOPEN \"COM1:\" AS #1\nPRINT #1, \"said \";\nPRINT #1, 2 + 6 / 3 * 5 - 9\nRETURN";
     bench.file("flow.8K", one_axis(body));
     let report = bench.sim("flow.8K --run PROG0");
     assert_eq!(report["faults"], json!([]));

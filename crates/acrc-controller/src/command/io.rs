@@ -164,9 +164,17 @@ impl Context<'_> {
     }
 
     /// Where the characters of a device come from. Device 0 of a prompt is the terminal itself, which reads commands, unless it was opened.
-    pub(crate) fn input_port(&self, number: i32) -> Result<Port, ControllerError> {
+    /// Whoever listens to the program hands over what was typed: what no program asks for stays a line for the terminal.
+    pub(crate) fn input_port(&mut self, number: i32) -> Result<Port, ControllerError> {
         let port = Device::of(number, self.program).and_then(|device| self.machine.streams.port(device));
-        port.filter(|port| !(self.immediate && matches!(port, Port::Listener(_))))
-            .ok_or(ControllerError::NotOpen { device: number })
+        let port = port.filter(|port| !(self.immediate && matches!(port, Port::Listener(_))));
+        let port = port.ok_or(ControllerError::NotOpen { device: number })?;
+        if let Port::Listener(program) = port
+            && self.machine.streams.lacks_line(port)
+        {
+            let typed = self.machine.terminal.take_typed(program);
+            self.machine.streams.arrive(port, &typed);
+        }
+        Ok(port)
     }
 }

@@ -6,8 +6,6 @@ use super::{Controller, Observer, Sent};
 use crate::streams::{Port, as_typed};
 use crate::terminal::{Channel, ChannelId, StreamName};
 
-const ESCAPE: u8 = 0x1b;
-
 impl Controller {
     /// Gives the programs text to read at a port: each line of it is typed when a program asks for input there and has read the lines before. The
     /// end of a line is the Enter key. A stream is read while a program has it open.
@@ -16,7 +14,8 @@ impl Controller {
         self.changes += 1;
     }
 
-    /// A byte that was typed at a channel goes to the programs that have its stream open, to the program that it listens to, or to the terminal.
+    /// A byte that was typed at a channel goes to the programs that have its stream open, or to the terminal. A program to which the terminal
+    /// listens takes it from there when it asks for input.
     pub(super) fn take_in(&mut self, id: ChannelId, byte: u8) {
         let Some(channel) = self.machine.terminal.get_mut(id) else { return };
         let stream = Port::Stream(channel.stream);
@@ -24,9 +23,9 @@ impl Controller {
             self.arrive(stream, &[byte]);
             return;
         }
-        match channel.listening {
-            Some(program) if byte != ESCAPE && !channel.has_input() => self.arrive(Port::Listener(program), &[byte]),
-            _ => channel.push(byte),
+        channel.push(byte);
+        if channel.listening.is_some() {
+            self.changes += 1;
         }
     }
 

@@ -49,6 +49,11 @@ impl Input {
         }
     }
 
+    /// Whether no whole line has arrived.
+    pub(super) fn lacks_line(&self) -> bool {
+        !self.arrived.iter().any(|byte| is_end(*byte))
+    }
+
     /// Whether a character waits.
     pub(super) fn waits(&mut self) -> bool {
         self.refill();

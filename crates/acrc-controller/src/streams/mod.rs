@@ -104,6 +104,11 @@ impl Streams {
         self.input(port).offer(bytes);
     }
 
+    /// Whether no whole line has arrived at a port.
+    pub(crate) fn lacks_line(&mut self, port: Port) -> bool {
+        self.input(port).lacks_line()
+    }
+
     /// Whether a character waits at a port.
     pub(crate) fn waits(&mut self, port: Port) -> bool {
         self.input(port).waits()

@@ -164,6 +164,13 @@ impl Channel {
         place.is_some()
     }
 
+    /// Gives up what was typed up to the end of a line, or up to an ESC.
+    pub(crate) fn take_typed(&mut self) -> Vec<u8> {
+        let escape = self.input.iter().position(|byte| *byte == ESCAPE).unwrap_or(self.input.len());
+        let end = self.input.iter().position(|byte| matches!(byte, b'\r' | b'\n')).map_or(escape, |end| end + 1);
+        self.input.drain(..end.min(escape)).collect()
+    }
+
     /// Sends bytes.
     pub(crate) fn send(&mut self, bytes: &[u8]) {
         if let Some(last) = bytes.last() {

@@ -109,6 +109,12 @@ impl Terminal {
         self.channels.iter().find(|(_, channel)| channel.stream == stream).map(|(id, _)| *id)
     }
 
+    /// What those who listen to a program have typed, up to the end of a line.
+    pub(crate) fn take_typed(&mut self, program: u8) -> Vec<u8> {
+        let listeners = self.channels.values_mut().filter(|channel| channel.listening == Some(program));
+        listeners.flat_map(Channel::take_typed).collect()
+    }
+
     /// Sends bytes to those who listen to a program.
     pub(crate) fn tell_listeners(&mut self, program: u8, bytes: &[u8]) {
         for channel in self.channels.values_mut().filter(|channel| channel.listening == Some(program)) {

@@ -92,3 +92,28 @@ fn idle_time_with_a_listener_costs_nothing() {
     assert_eq!(desk.controller.seconds().round(), 86_400.0);
     assert_eq!(desk.send("\x1b"), "SYS>");
 }
+
+#[test]
+fn a_program_asks_those_who_listen_to_it() {
+    let mut desk =
+        Desk::with("PROG0\nDIM LV(2)\nPROGRAM\nINPUT \"n = \"; LV0\nLV1 = GETCH(0)\nPRINT LV0; \" \"; LV1\nENDP\n");
+    desk.send("PROG0\r");
+    assert_eq!(desk.send("LRUN\r"), "LRUN\r\n");
+    assert_eq!(desk.wait(0.1), "n = ");
+    desk.controller.receive(desk.channel, b"4");
+    assert_eq!(desk.wait(0.1), "4");
+    desk.controller.receive(desk.channel, b"2\r\nA\r?5\r");
+    assert_eq!(desk.wait(0.1), "2\r\n42 65\r\nP00>?5\r\n5\r\nP00>");
+}
+
+#[test]
+fn a_stream_that_a_program_opens_takes_no_commands_until_it_is_closed() {
+    let mut desk = Desk::with(
+        "PROG0\nDIM $V(1,20)\nPROGRAM\nOPEN \"COM1:\" AS #1\nINPUT #1, \"name: \"; $V0\nPRINT #1, \"hello \"; $V0\nCLOSE #1\nENDP\n",
+    );
+    assert_eq!(desk.send("RUN PROG0\r"), "RUN PROG0\r\nSYS>");
+    assert_eq!(desk.wait(0.1), "name: ");
+    desk.controller.receive(desk.channel, b"VER\r");
+    assert_eq!(desk.wait(0.1), "VER\r\nhello VER\r\n");
+    assert_eq!(desk.ask("?1"), "1\r\n");
+}

@@ -29,6 +29,8 @@ struct Program {
     program: String,
     state: &'static str,
     line: Option<u32>,
+    /// The stream, or the terminal that listens to a program, where it waits for characters.
+    awaits: Option<String>,
     statements: u64,
 }
 
@@ -54,6 +56,7 @@ struct Output {
     time: f64,
     program: Option<String>,
     device: i32,
+    stream: Option<String>,
     text: String,
 }
 
@@ -78,7 +81,7 @@ pub(super) fn print(report: &Report) -> anyhow::Result<()> {
 
 fn document(report: &Report) -> Document {
     let controller = report.controller;
-    let program_name = |number: Option<u8>| number.map(|number| source(Some(number), 0));
+    let program_name = |number: Option<u8>| number.map(|number| source(Some(number)));
     Document {
         virtual_seconds: controller.seconds(),
         stopped: match report.stopped {
@@ -91,9 +94,10 @@ fn document(report: &Report) -> Document {
             .programs()
             .into_iter()
             .map(|program| Program {
-                program: source(Some(program.program), 0),
+                program: source(Some(program.program)),
                 state: program.state.name(),
                 line: program.line,
+                awaits: program.awaits.map(|port| port.to_string()),
                 statements: program.statements,
             })
             .collect(),
@@ -126,6 +130,7 @@ fn document(report: &Report) -> Document {
                 time: line.seconds,
                 program: program_name(line.program),
                 device: line.device,
+                stream: line.stream.map(|stream| stream.to_string()),
                 text: line.text.clone(),
             })
             .collect(),

@@ -2,6 +2,7 @@
 
 mod json;
 mod observer;
+mod ports;
 mod recorder;
 mod signals;
 mod summary;
@@ -19,6 +20,7 @@ use acrc_syntax::units::Level;
 use anyhow::{Context as _, bail};
 
 use self::observer::RunObserver;
+use self::ports::Outputs;
 use self::recorder::Recorder;
 use super::project::{check, compile, errors_of, inputs, load, title};
 use crate::cli::{Angles, ColorChoice, Register, SimArguments, SimFormat};
@@ -30,8 +32,10 @@ const DEFAULT_UNTIL: f64 = 60.0;
 
 pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = load(&arguments.project)?;
-    let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).map(PathBuf::as_path).collect();
-    let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).collect();
+    let sent = arguments.output.iter().map(|output| &output.path);
+    let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).chain(sent).map(PathBuf::as_path).collect();
+    let typed = arguments.input.iter().map(|input| input.path.clone());
+    let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).chain(typed).collect();
     refuse_clashes(&outputs, &inputs)?;
     let world = load_world(arguments.world.as_deref(), &project)?;
     let Some(image) = compile(&project, "is not run", Terminal::error(color)) else {
@@ -53,12 +57,15 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let options = Options { world, seed: arguments.seed, angles: angles(arguments.angles, &project) };
     let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
     check_registers(&controller, &arguments.read)?;
+    ports::check(arguments, &controller)?;
+    ports::offer(&arguments.input, &mut controller)?;
+    let mut sent = Outputs::create(&arguments.output)?;
 
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("cannot watch for Ctrl-C")?;
     let live = arguments.format == SimFormat::Text;
-    let mut observer = RunObserver::new(&mut recorder, live, Terminal::output(color), &interrupted);
+    let mut observer = RunObserver::new((&mut recorder, &mut sent), live, Terminal::output(color), &interrupted);
     let begun = Instant::now();
     let stopped = controller.run(&start, until, &mut observer);
     let wall = begun.elapsed();
@@ -66,7 +73,10 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     recorder.last(&controller.view())?;
 
     let exit = exit_of(stopped, &controller);
-    let files = if stopped == Stopped::Interrupted { Vec::new() } else { recorder.finish(title(&project))? };
+    let files = match stopped {
+        Stopped::Interrupted => Vec::new(),
+        Stopped::Ended | Stopped::Until => [recorder.finish(title(&project))?, sent.finish()?].concat(),
+    };
     notes.extend(summary::notes_of(&controller, &record));
     let report =
         summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read, notes: &notes };

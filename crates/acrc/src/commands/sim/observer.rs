@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use acrc_controller::world::WorldEvent;
-use acrc_controller::{FaultReport, Observer, View};
+use acrc_controller::{FaultReport, Observer, Sent, StreamName, View};
 
+use super::ports::Outputs;
 use super::recorder::Recorder;
 use crate::output::{Terminal, nobody_reads, print};
 
@@ -18,6 +19,7 @@ pub(super) struct Line {
     pub(super) seconds: f64,
     pub(super) program: Option<u8>,
     pub(super) device: i32,
+    pub(super) stream: Option<StreamName>,
     pub(super) text: String,
 }
 
@@ -30,27 +32,37 @@ pub(super) struct Record {
     pub(super) faults: Vec<FaultReport>,
 }
 
+/// Where text comes from and goes to: program, device, stream.
+type Route = (Option<u8>, i32, Option<StreamName>);
+
 /// The observer of `acrc sim`.
 pub(super) struct RunObserver<'a> {
     recorder: &'a mut Recorder,
+    outputs: &'a mut Outputs,
     live: bool,
     terminal: Terminal,
     interrupted: &'a AtomicBool,
     record: Record,
-    /// Text of lines that have not ended yet, by program and device, with the time of their first character.
-    open: BTreeMap<(Option<u8>, i32), (f64, String)>,
+    /// Text of lines that have not ended yet, with the time of their first character.
+    open: BTreeMap<Route, (f64, String)>,
     failure: Option<anyhow::Error>,
 }
 
 impl<'a> RunObserver<'a> {
-    pub(super) fn new(recorder: &'a mut Recorder, live: bool, terminal: Terminal, interrupted: &'a AtomicBool) -> Self {
-        Self { recorder, live, terminal, interrupted, record: Record::default(), open: BTreeMap::new(), failure: None }
+    pub(super) fn new(
+        (recorder, outputs): (&'a mut Recorder, &'a mut Outputs),
+        live: bool,
+        terminal: Terminal,
+        interrupted: &'a AtomicBool,
+    ) -> Self {
+        let record = Record::default();
+        Self { recorder, outputs, live, terminal, interrupted, record, open: BTreeMap::new(), failure: None }
     }
 
     /// What was recorded, with the lines that never ended; or why it could not be shown or written.
     pub(super) fn finish(mut self) -> anyhow::Result<Record> {
-        for ((program, device), (seconds, text)) in std::mem::take(&mut self.open) {
-            self.line(Line { seconds, program, device, text });
+        for ((program, device, stream), (seconds, text)) in std::mem::take(&mut self.open) {
+            self.line(Line { seconds, program, device, stream, text });
         }
         match self.failure {
             Some(error) => Err(error),
@@ -60,7 +72,7 @@ impl<'a> RunObserver<'a> {
 
     fn line(&mut self, line: Line) {
         if self.live {
-            let source = source(line.program, line.device);
+            let source = route(&line);
             self.show(line.seconds, &source, &line.text);
         }
         if self.record.output.len() < KEPT_OUTPUT {
@@ -87,9 +99,17 @@ impl<'a> RunObserver<'a> {
 }
 
 /// Where a line came from.
-pub(super) fn source(program: Option<u8>, device: i32) -> String {
-    let program = program.map_or_else(|| "setup".to_owned(), |number| format!("PROG{number}"));
-    if device == 0 { program } else { format!("{program} #{device}") }
+pub(super) fn source(program: Option<u8>) -> String {
+    program.map_or_else(|| "setup".to_owned(), |number| format!("PROG{number}"))
+}
+
+/// Where a line came from, and the stream that it went to. Without a program device 0 is the terminal of the stream.
+fn route(line: &Line) -> String {
+    match (line.program, line.device, line.stream) {
+        (None, 0, Some(stream)) => stream.to_string(),
+        (program, _, Some(stream)) => format!("{} {stream}", source(program)),
+        (program, _, None) => source(program),
+    }
 }
 
 /// A program may print anything; a terminal shall not act on it.
@@ -98,17 +118,21 @@ fn printable(character: char) -> char {
 }
 
 impl Observer for RunObserver<'_> {
-    fn output(&mut self, seconds: f64, program: Option<u8>, device: i32, text: &str) {
+    fn output(&mut self, sent: &Sent) {
+        let written = self.outputs.write(sent);
+        self.fail(written);
+        let Sent { seconds, program, device, stream, text } = *sent;
+        let route = (program, device, stream);
         let mut parts = text.split("\r\n").peekable();
         while let Some(part) = parts.next() {
             let ends = parts.peek().is_some();
             if !ends && part.is_empty() {
                 break;
             }
-            let open = self.open.entry((program, device)).or_insert_with(|| (seconds, String::new()));
+            let open = self.open.entry(route).or_insert_with(|| (seconds, String::new()));
             open.1.push_str(part);
-            if ends && let Some((seconds, text)) = self.open.remove(&(program, device)) {
-                self.line(Line { seconds, program, device, text });
+            if ends && let Some((seconds, text)) = self.open.remove(&route) {
+                self.line(Line { seconds, program, device, stream, text });
             }
         }
     }
@@ -126,7 +150,9 @@ impl Observer for RunObserver<'_> {
             let name = |bit: &u32| view.world().input_name(*bit).map_or_else(|| format!("BIT{bit}"), str::to_owned);
             let on = event.set.iter().map(|bit| format!("{} on", name(bit)));
             let off = event.clear.iter().map(|bit| format!("{} off", name(bit)));
-            let changes = on.chain(off).collect::<Vec<_>>().join(", ");
+            let typed =
+                event.typed.iter().map(|typed| format!("types \"{}\" at {}", typed.text.escape_ascii(), typed.port));
+            let changes = on.chain(off).chain(typed).collect::<Vec<_>>().join(", ");
             self.show(seconds, "world", &changes);
         }
         self.recorder.event(seconds, event);

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use acrc_controller::{AxisReport, Controller, Stopped};
+use acrc_controller::{AxisReport, Controller, Port, Stopped};
 
 use super::observer::Record;
 use crate::cli::Register;
@@ -146,6 +146,15 @@ pub(super) fn notes_of(controller: &Controller, record: &Record) -> Vec<String> 
     let mut notes: Vec<String> = controller.notes().map(str::to_owned).collect();
     for axis in controller.axes().iter().filter(|axis| axis.moved_disabled) {
         notes.push(format!("{} moved although its drive was never enabled (DRIVE ON)", axis_title(axis)));
+    }
+    for (program, port) in controller.programs().iter().filter_map(|report| Some((report.program, report.awaits?))) {
+        let place = match port {
+            Port::Stream(stream) => format!("at {stream}"),
+            Port::Listener(_) => "from whoever listens to it".to_owned(),
+        };
+        notes.push(format!(
+            "PROG{program} waits for input {place}: --input {port}=FILE types there, or an event with stream = \"{port}\" and a text"
+        ));
     }
     if record.dropped > 0 {
         notes.push(format!("{} further lines of output are not in this report", record.dropped));
