@@ -190,8 +190,8 @@ pub enum ControllerError {
         /// The device that has it.
         device: u8,
     },
-    /// `OPEN` of something that is no device.
-    #[error("OPEN: {0}")]
+    /// `OPEN` of, or `TALK TO` something that is no device.
+    #[error(transparent)]
     Device(#[from] DeviceError),
     /// A command that this dry run does not execute.
     #[error("{} is not simulated", .0.info().name)]

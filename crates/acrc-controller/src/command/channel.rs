@@ -14,6 +14,7 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::ECHO, Action::Run(echo)),
     (command::MODE, Action::Run(mode)),
     (command::STREAM, Action::Answer(stream)),
+    (command::TALK_TO, Action::Run(talk)),
     (command::LIST, Action::Run(list)),
     (command::PASSWORD, Action::Run(password)),
 ];
@@ -68,6 +69,27 @@ fn stream(context: &mut Context) {
     if let Some(name) = name {
         context.report_text(&name);
     }
+}
+
+/// `TALK TO "COM1:"`: what is typed at the channel goes out at another stream and what comes in there is shown, until ESC.
+fn talk(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let command = call.command.info().name;
+    let [Arg::Value(Value::Text(text), _)] = call.arguments else {
+        return Err(ControllerError::Expected { command, expected: "a device string" });
+    };
+    let stream = context.machine.stream_of(text)?;
+    if let Some(device) = context.machine.streams.device(stream) {
+        return Err(ControllerError::StreamOpen { stream, device: device.number() });
+    }
+    let level = if context.immediate { context.machine.level.to_string() } else { "program".to_owned() };
+    let channel = context.channel.and_then(|id| context.machine.terminal.get_mut(id));
+    let channel = channel.ok_or(ControllerError::WrongLevel { command, level })?;
+    if channel.stream == stream {
+        let problem = format!("{stream} is the stream at which this was typed");
+        return Err(ControllerError::BadValue { command, problem });
+    }
+    channel.talking = Some(stream);
+    Ok(Outcome::Done)
 }
 
 /// `LIST`, `LIST line`, `LIST first, last`

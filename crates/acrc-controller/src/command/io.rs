@@ -10,7 +10,8 @@ use crate::controller::{Observer, Sent};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::request::Origin;
-use crate::streams::{Device, Port, device_stream};
+use crate::streams::{Device, DeviceError, Port, device_stream};
+use crate::terminal::StreamName;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::PRINT, Action::Run(print)),
@@ -70,8 +71,7 @@ fn open(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
         return Err(ControllerError::Expected { command: call.command.info().name, expected: "a device string" });
     };
     let device = context.device(call, *number)?;
-    let stream = device_stream(&text.to_string())?;
-    stream.check(context.machine.model).map_err(|error| ControllerError::Device(error.into()))?;
+    let stream = context.machine.stream_of(text)?;
     let streams = &mut context.machine.streams;
     match (streams.stream(device), streams.device(stream)) {
         (Some(present), _) if present == stream => {}
@@ -141,6 +141,15 @@ pub(crate) fn deliver(machine: &mut Machine, observer: &mut dyn Observer, origin
     observer.output(&Sent { seconds: machine.clock.seconds(), program, device, stream, text: &text });
 }
 
+impl Machine {
+    /// The stream of this model that a device string names.
+    pub(super) fn stream_of(&self, device: &Text) -> Result<StreamName, DeviceError> {
+        let stream = device_stream(&device.to_string())?;
+        stream.check(self.model)?;
+        Ok(stream)
+    }
+}
+
 impl Context<'_> {
     /// Sends bytes, which are Latin-1, to a device.
     pub(super) fn output(&mut self, device: i32, bytes: &[u8]) {
@@ -169,11 +178,14 @@ impl Context<'_> {
         let port = Device::of(number, self.program).and_then(|device| self.machine.streams.port(device));
         let port = port.filter(|port| !(self.immediate && matches!(port, Port::Listener(_))));
         let port = port.ok_or(ControllerError::NotOpen { device: number })?;
-        if let Port::Listener(program) = port
-            && self.machine.streams.lacks_line(port)
-        {
-            let typed = self.machine.terminal.take_typed(program);
-            self.machine.streams.arrive(port, &typed);
+        if let Port::Listener(program) = port {
+            while self.machine.streams.lacks_line(port) {
+                let typed = self.machine.terminal.take_typed(program);
+                if typed.is_empty() {
+                    break;
+                }
+                self.machine.streams.arrive(port, &typed);
+            }
         }
         Ok(port)
     }

@@ -30,7 +30,6 @@ use crate::machine::Machine;
 use crate::program::{Program, Watch};
 use crate::report::FaultReport;
 use crate::scheduler::Scheduler;
-use crate::terminal::ChannelId;
 use crate::world::World;
 
 /// What a run is made with.
@@ -59,8 +58,6 @@ pub struct Controller {
     boot: Boot,
     /// Programs to be started when the setup code is done.
     to_start: Vec<u8>,
-    /// Terminals at which the world types.
-    scripted: Vec<ChannelId>,
     /// The tick at which power came on is over.
     powered: bool,
     /// Events of the world that the observer has been told of.
@@ -102,7 +99,6 @@ impl Controller {
             aliases: Aliases::new(&image.aliases),
             load,
             to_start: Vec::new(),
-            scripted: Vec::new(),
             powered: false,
             boot: Boot {
                 code,

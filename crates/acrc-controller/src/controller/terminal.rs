@@ -141,6 +141,9 @@ impl Controller {
             self.with_channel(id, Channel::stop_listening);
             return true;
         }
+        if let Some(stream) = channel.talking {
+            return self.relay(id, stream, observer);
+        }
         let Some(line) = channel.next_line() else { return false };
         let typed = match line {
             Ok(line) => self.read_line(id, &line),
@@ -228,7 +231,7 @@ impl Controller {
         }
         let Some(channel) = self.machine.terminal.get_mut(id) else { return false };
         if typed.pieces.is_empty() {
-            if channel.listening.is_none() {
+            if !channel.is_away() {
                 channel.send_prompt();
             }
             return true;

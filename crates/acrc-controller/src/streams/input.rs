@@ -41,8 +41,17 @@ impl Input {
         self.offered.extend(bytes);
     }
 
+    /// The line feed behind a carriage return that has ended a line belongs to that line.
+    fn drop_line_feed(&mut self) {
+        if self.returned && self.arrived.front() == Some(&LINE_FEED) {
+            self.arrived.pop_front();
+        }
+        self.returned &= self.arrived.is_empty();
+    }
+
     /// The next line is typed when nothing waits.
     fn refill(&mut self) {
+        self.drop_line_feed();
         if self.arrived.is_empty() {
             let end = self.offered.iter().position(|byte| is_end(*byte)).map_or(self.offered.len(), |end| end + 1);
             self.arrived.extend(self.offered.drain(..end));
@@ -50,7 +59,8 @@ impl Input {
     }
 
     /// Whether no whole line has arrived.
-    pub(super) fn lacks_line(&self) -> bool {
+    pub(super) fn lacks_line(&mut self) -> bool {
+        self.drop_line_feed();
         !self.arrived.iter().any(|byte| is_end(*byte))
     }
 
@@ -76,10 +86,6 @@ impl Input {
     /// Reads on towards the end of a line. Backspace and DEL erase a character; other control characters do not belong to a line.
     pub(super) fn read(&mut self) -> Reading {
         self.refill();
-        if self.returned && self.arrived.front() == Some(&LINE_FEED) {
-            self.arrived.pop_front();
-        }
-        self.returned &= self.arrived.is_empty();
         let mut echo = Vec::new();
         let mut line = Vec::new();
         for (place, byte) in self.arrived.iter().enumerate() {

@@ -44,6 +44,15 @@ impl Key {
     }
 }
 
+/// Who types at a channel and takes what it sends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Typist {
+    /// Whoever opened the channel.
+    Driver,
+    /// The world: whoever watches the run sees what is sent.
+    World,
+}
+
 /// A channel.
 #[derive(Debug)]
 pub(crate) struct Channel {
@@ -58,6 +67,9 @@ pub(crate) struct Channel {
     pub(crate) entry: Option<Entry>,
     /// The program whose output it shows.
     pub(crate) listening: Option<u8>,
+    /// The stream that it is connected to (`TALK TO`).
+    pub(crate) talking: Option<StreamName>,
+    pub(crate) typist: Typist,
     /// The line that is being executed.
     pub(crate) typed: Option<Typed>,
     /// What has arrived and is not read yet.
@@ -83,6 +95,8 @@ impl Channel {
             mode: u8::from(matches!(stream, StreamName::Com(_))),
             entry: None,
             listening: None,
+            talking: None,
+            typist: Typist::Driver,
             typed: None,
             input: VecDeque::new(),
             line: Vec::new(),
@@ -195,13 +209,19 @@ impl Channel {
         self.line_open = false;
     }
 
-    /// Leaves `LRUN` or `LISTEN`: the prompt comes back on a line of its own.
+    /// Leaves `LRUN`, `LISTEN` or `TALK TO`: the prompt comes back on a line of its own.
     pub(crate) fn stop_listening(&mut self) {
         self.listening = None;
+        self.talking = None;
         if self.line_open {
             self.send(b"\r\n");
         }
         self.send_prompt();
+    }
+
+    /// Whether it shows something else until ESC, and has no prompt.
+    pub(crate) fn is_away(&self) -> bool {
+        self.listening.is_some() || self.talking.is_some()
     }
 
     /// The prompt of its level.
@@ -220,11 +240,12 @@ impl Channel {
 
     /// What it is doing, as its driver sees it.
     pub(crate) fn state(&self) -> PromptState {
-        match self.listening {
-            _ if self.typed.is_some() || self.escape_waits() => PromptState::Busy,
-            Some(_) => PromptState::Listening,
-            None if self.has_input() => PromptState::Busy,
-            None => PromptState::Ready(self.prompt()),
+        if self.typed.is_some() || self.escape_waits() || self.listening.is_none() && self.has_input() {
+            PromptState::Busy
+        } else if self.is_away() {
+            PromptState::Listening
+        } else {
+            PromptState::Ready(self.prompt())
         }
     }
 }

@@ -13,7 +13,7 @@ mod words;
 
 use std::collections::BTreeMap;
 
-pub(crate) use channel::{Channel, Key};
+pub(crate) use channel::{Channel, Key, Typist};
 pub(crate) use entry::Entry;
 pub(crate) use line::{Piece, Reader, Typed, complaint};
 pub(crate) use stored::StoredText;
@@ -31,7 +31,7 @@ pub enum PromptState {
     Ready(String),
     /// It executes a line, or has not read yet what was typed.
     Busy,
-    /// It shows the output of a program until ESC (`LRUN`, `LISTEN`).
+    /// It shows the output of a program (`LRUN`, `LISTEN`) or what comes in at a stream (`TALK TO`) until ESC.
     Listening,
 }
 
@@ -97,11 +97,24 @@ impl Terminal {
         }
     }
 
-    /// Sends bytes to whoever has a stream.
+    /// Sends bytes to whoever has a stream, besides whoever watches the run.
     pub(crate) fn send_to(&mut self, stream: StreamName, bytes: &[u8]) {
-        if let Some(channel) = self.channels.values_mut().find(|channel| channel.stream == stream) {
+        if let Some(channel) =
+            self.channels.values_mut().find(|channel| channel.stream == stream && channel.typist == Typist::Driver)
+        {
             channel.send(bytes);
         }
+    }
+
+    /// The channel that is connected to a stream.
+    pub(crate) fn talker(&mut self, stream: StreamName) -> Option<&mut Channel> {
+        self.channels.values_mut().find(|channel| channel.talking == Some(stream))
+    }
+
+    /// Takes what the terminals have sent at which the world types.
+    pub(crate) fn take_scripted(&mut self) -> Vec<(StreamName, Vec<u8>)> {
+        let scripted = self.channels.values_mut().filter(|channel| channel.typist == Typist::World);
+        scripted.map(|channel| (channel.stream, channel.take_output())).filter(|(_, sent)| !sent.is_empty()).collect()
     }
 
     /// The channel of a stream.
@@ -115,9 +128,13 @@ impl Terminal {
         listeners.flat_map(Channel::take_typed).collect()
     }
 
-    /// Sends bytes to those who listen to a program.
+    /// Sends bytes to those who listen to a program, besides whoever watches the run.
     pub(crate) fn tell_listeners(&mut self, program: u8, bytes: &[u8]) {
-        for channel in self.channels.values_mut().filter(|channel| channel.listening == Some(program)) {
+        for channel in self
+            .channels
+            .values_mut()
+            .filter(|channel| channel.listening == Some(program) && channel.typist == Typist::Driver)
+        {
             channel.send(bytes);
         }
     }

@@ -44,9 +44,9 @@ fn what_cannot_be_opened_or_read_is_refused() {
     for (program, expected) in [
         ("OPEN \"COM1:\" AS #1\nOPEN \"COM2:\" AS #1", "#1 is open already, as COM1: CLOSE #1 comes first"),
         ("OPEN \"COM1:\" AS #1\nOPEN \"COM1:\" AS #2", "COM1 is open already, as #1: CLOSE #1 comes first"),
-        ("OPEN \"COM7:\" AS #1", "OPEN: `COM7` is no stream: there are FIFO, DPCB, COM1, COM2 and STREAM1 to STREAM5"),
-        ("OPEN \"FIFO:\" AS #1", "OPEN: ACR9000 has no FIFO: its streams are COM1, COM2, STREAM1"),
-        ("OPEN \"COM1:1,n,8,1\" AS #1", "OPEN: 1 is no baud rate of COM1"),
+        ("OPEN \"COM7:\" AS #1", "`COM7` is no stream: there are FIFO, DPCB, COM1, COM2 and STREAM1 to STREAM5"),
+        ("OPEN \"FIFO:\" AS #1", "ACR9000 has no FIFO: its streams are COM1, COM2, STREAM1"),
+        ("OPEN \"COM1:1,n,8,1\" AS #1", "1 is no baud rate of COM1"),
         ("OPEN \"COM1:\" AS #4", "OPEN: there is no device #4 here"),
         ("PRINT #9, 1", "PRINT: there is no device #9 here"),
         ("DIM LV(1)\nINPUT #1, LV0", "#1 is not open: OPEN \"COM1:9600,n,8,1\" AS #1 or the like comes first"),

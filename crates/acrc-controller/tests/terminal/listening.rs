@@ -117,3 +117,27 @@ fn a_stream_that_a_program_opens_takes_no_commands_until_it_is_closed() {
     assert_eq!(desk.wait(0.1), "VER\r\nhello VER\r\n");
     assert_eq!(desk.ask("?1"), "1\r\n");
 }
+
+#[test]
+fn talk_to_connects_two_streams_until_esc() {
+    let mut desk = Desk::with("PROG0\nPROGRAM\nOPEN \"COM1:\" AS #1\nENDP\n");
+    let near = desk.controller.open_channel("STREAM2".parse().expect("a name")).expect("a stream");
+    desk.controller.receive(near, b"TALK TO \"COM1:\"\r");
+    assert_eq!(desk.wait(0.1), "");
+    assert_eq!(desk.controller.prompt_state(near), PromptState::Listening);
+    desk.controller.receive(near, b"*IDN\rTPE");
+    assert_eq!(desk.wait(0.1), "*IDN\rTPE");
+    desk.controller.take_output(near);
+    assert_eq!(desk.send("*0\r\n"), "", "what comes in at COM1 is no command meanwhile");
+    assert_eq!(desk.controller.take_output(near), b"*0\r\n");
+    desk.controller.receive(near, b"\x1bTALK TO \"STREAM2:\"\r");
+    desk.wait(0.1);
+    let answer: String = desk.controller.take_output(near).into_iter().map(char::from).collect();
+    assert_eq!(answer, "SYS>TALK TO \"STREAM2:\"\r\nTALK TO: STREAM2 is the stream at which this was typed\r\nSYS>");
+    assert_eq!(desk.ask("?1"), "1\r\n");
+    desk.send("RUN PROG0\r");
+    desk.controller.receive(near, b"TALK TO \"COM1:\"\r");
+    desk.wait(0.1);
+    let answer: String = desk.controller.take_output(near).into_iter().map(char::from).collect();
+    assert!(answer.contains("COM1 is open already, as #1"), "{answer}");
+}
