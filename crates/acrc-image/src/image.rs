@@ -4,7 +4,7 @@ use acrc_catalog::command;
 
 use crate::error::{ImageError, Problem};
 use crate::node::Node;
-use crate::unit::Unit;
+use crate::unit::{Unit, UnitName};
 use crate::verify;
 
 /// The version of the file format that this crate writes.
@@ -37,6 +37,18 @@ pub struct Image {
 }
 
 impl Image {
+    /// An image in which nothing is.
+    pub fn empty(model: &str) -> Self {
+        Self {
+            model: model.to_owned(),
+            aliases: Vec::new(),
+            boot: Unit { name: UnitName::Boot, words: Vec::new(), strings: Vec::new(), debug: None },
+            programs: Vec::new(),
+            files: Vec::new(),
+            version: VERSION,
+        }
+    }
+
     /// The boot unit and the programs.
     pub fn units(&self) -> impl Iterator<Item = &Unit> {
         std::iter::once(&self.boot).chain(&self.programs)

@@ -28,6 +28,7 @@ pub mod list;
 mod name;
 mod node;
 mod protect;
+mod renumber;
 pub mod text;
 mod unit;
 mod verify;

@@ -198,4 +198,15 @@ impl Node {
             _ => Vec::new(),
         }
     }
+
+    /// The nodes directly below it, to be changed.
+    pub(crate) fn children_mut(&mut self) -> Vec<&mut Self> {
+        match self {
+            Self::Scalar { index: only, .. } | Self::Unary { operand: only, .. } | Self::Device(only) => vec![only],
+            Self::Array { array: left, element: right, .. } | Self::Binary { left, right, .. } => vec![left, right],
+            Self::Call { arguments: nodes, .. } | Self::Tuple(nodes) => nodes.iter_mut().collect(),
+            Self::Axis { value, .. } | Self::Object { value, .. } => value.iter_mut().map(AsMut::as_mut).collect(),
+            _ => Vec::new(),
+        }
+    }
 }

@@ -178,3 +178,26 @@ fn every_problem_is_found() {
     assert_eq!(problem(&[acc | 1 << 12, 5 | 7 << 7], &[]), Problem::NoSuchLabel { ordinal: 7, labels: 0 });
     assert_eq!(problem(&[end | 3], &[]), Problem::Operands("a statement follows THEN without an IF before it"));
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn aliases_are_renumbered_there_and_back(instructions in instructions()) {
+        let unit = encode(UnitName::Program(0), &instructions).expect("valid");
+        let there: Vec<u16> = (0..=u16::MAX).map(|place| place.wrapping_add(7)).collect();
+        let back: Vec<u16> = (0..=u16::MAX).map(|place| place.wrapping_sub(7)).collect();
+        let moved = unit.renumber_aliases(&there).expect("every alias has a place");
+        prop_assert_eq!(moved.words.len(), unit.words.len());
+        prop_assert_eq!(moved.renumber_aliases(&back).expect("every alias has a place"), unit);
+    }
+}
+
+#[test]
+fn an_alias_without_a_place_is_refused() {
+    let unit = one(command::PRINT, vec![Node::Alias { index: 2, parens: 0 }.into()]).expect("valid");
+    let refused = unit.renumber_aliases(&[5, 4]).map_err(|error| error.to_string());
+    assert_eq!(refused, Err("PROG0, word 0: alias 2 is referred to, the image defines 2".to_owned()));
+    let moved = unit.renumber_aliases(&[5, 4, 9]).and_then(|unit| unit.decode()).expect("renumbered");
+    assert_eq!(moved[0].items[0].node, Node::Alias { index: 9, parens: 0 });
+}

@@ -23,6 +23,11 @@ impl Master {
         Ok(())
     }
 
+    /// The weight of a slot; one for a slot that does not exist.
+    pub fn weight(&self, slot: usize) -> f64 {
+        self.weights.get(slot).copied().unwrap_or(1.0)
+    }
+
     /// Sets the length, u, of a path none of whose moving axes has weight; zero, the default, allows no such move.
     pub fn set_vector(&mut self, length: f64) -> Result<(), SettingError> {
         self.vector = not_negative(Quantity::Vector, length)?;
