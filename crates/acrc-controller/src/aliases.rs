@@ -32,6 +32,18 @@ impl Aliases {
         &self.entries
     }
 
+    /// The place of an alias, which is added when it is new, and is what its name means from now on. `None` when the table has no room.
+    pub(crate) fn merge(&mut self, alias: &Alias) -> Option<u16> {
+        let known = self.entries.iter().position(|entry| entry == alias).unwrap_or(self.entries.len());
+        let place = u16::try_from(known).ok()?;
+        if known < self.entries.len() {
+            self.names.aliases.insert(alias.name.clone(), place);
+        } else {
+            self.add(alias.clone());
+        }
+        Some(place)
+    }
+
     /// What the names mean.
     pub(crate) fn names(&self) -> &Tables {
         &self.names

@@ -18,6 +18,7 @@ mod machine;
 mod master;
 mod memory;
 mod network;
+pub mod nonvolatile;
 mod orders;
 mod program;
 mod registers;

@@ -15,6 +15,7 @@ use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
 use crate::memory::{Block, SystemMemory};
 use crate::network::Network;
+use crate::nonvolatile::NonVolatile;
 use crate::registers::Registers;
 use crate::request::Request;
 use crate::settings::Settings;
@@ -38,6 +39,7 @@ pub(crate) struct Machine {
     pub(crate) clock: Clock,
     pub(crate) flags: Flags,
     pub(crate) memory: SystemMemory,
+    pub(crate) nonvolatile: NonVolatile,
     pub(crate) settings: Settings,
     /// Parameters without behaviour of their own, by number.
     pub(crate) registers: Registers,
@@ -62,8 +64,9 @@ pub(crate) struct Machine {
     /// What the run relied on without proof, or left out; each said once.
     pub(crate) notes: BTreeSet<String>,
     pub(crate) random: u64,
-    world: World,
-    next_event: usize,
+    pub(crate) world: World,
+    /// Which scripted event comes next.
+    pub(crate) next_event: usize,
 }
 
 impl Machine {
@@ -73,6 +76,7 @@ impl Machine {
             clock: Clock::new(model.servo_period),
             flags: Flags::new(),
             memory: SystemMemory::new(model),
+            nonvolatile: NonVolatile::default(),
             settings: Settings::default(),
             registers: Registers::new(),
             axes: (0..model.axes).map(|_| Axis::new()).collect(),

@@ -2,15 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::str::FromStr;
 
 use acrc_catalog::{Model, memory};
+use thiserror::Error;
 
 use crate::error::ControllerError;
 use crate::terminal::StreamName;
 
 /// A block of system memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Block {
+pub enum Block {
     /// Text and variables of a program.
     Program(u8),
     /// Text and variables of a PLC.
@@ -35,6 +37,28 @@ impl fmt::Display for Block {
     }
 }
 
+/// A name that no block of memory has.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("`{0}` is no block of memory: they are PROGn, PLCn, STREAMn, P and DEF")]
+pub struct UnknownBlock(String);
+
+impl FromStr for Block {
+    type Err = UnknownBlock;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let digits = name.trim_start_matches(|character: char| character.is_ascii_uppercase());
+        let block = match (name.strip_suffix(digits), digits.parse()) {
+            (Some("PROG"), Ok(number)) => Self::Program(number),
+            (Some("PLC"), Ok(number)) => Self::Plc(number),
+            (Some("STREAM"), Ok(number)) => Self::Stream(number),
+            _ if name == "P" => Self::Parameters,
+            _ if name == "DEF" => Self::Aliases,
+            _ => return Err(UnknownBlock(name.to_owned())),
+        };
+        Ok(block)
+    }
+}
+
 /// The system's memory map.
 #[derive(Clone, Debug)]
 pub(crate) struct SystemMemory {
@@ -50,6 +74,27 @@ impl SystemMemory {
         let programs = 0..memory::FACTORY_PROGRAMS.min(model.programs);
         let blocks = programs.map(|program| (Block::Program(program), memory::FACTORY_SHARE)).collect();
         Self { total: model.system_memory(), blocks, user: Vec::new() }
+    }
+
+    /// The map that [`SystemMemory::blocks`] and [`SystemMemory::users`] told.
+    pub(crate) fn restored(model: &Model, blocks: &[(Block, u32)], user: &[f64]) -> Result<Self, ControllerError> {
+        let mut memory = Self::new(model);
+        memory.clear();
+        for (block, bytes) in blocks {
+            let (once, each) = match block {
+                Block::Parameters => (memory::PARAMETERS.once, memory::PARAMETERS.each),
+                Block::Aliases => (memory::ALIASES.once, memory::ALIASES.each),
+                Block::Program(_) | Block::Plc(_) | Block::Stream(_) => (0, 1),
+            };
+            memory.dimension(*block, i64::from(bytes.saturating_sub(once) / each))?;
+        }
+        let fits = blocks.iter().all(|(block, bytes)| memory.size(*block) == Some(*bytes));
+        if !fits || memory.user.len() != user.len() {
+            let problem = format!("its blocks have no room for exactly {} user parameters", user.len());
+            return Err(ControllerError::BadValue { command: "memory", problem });
+        }
+        memory.user.copy_from_slice(user);
+        Ok(memory)
     }
 
     /// `CLEAR` at the system prompt.
@@ -100,6 +145,11 @@ impl SystemMemory {
             StreamName::Fifo | StreamName::DualPort | StreamName::Com(_) => None,
         };
         block.unwrap_or(memory::FACTORY_STREAM_BYTES)
+    }
+
+    /// The user parameters.
+    pub(crate) fn users(&self) -> &[f64] {
+        &self.user
     }
 
     /// Bytes that no block has.

@@ -2,6 +2,7 @@
 
 use acrc_syntax::units::Level;
 
+use crate::nonvolatile::Operation;
 use crate::terminal::ChannelId;
 
 /// What a program asks of the scheduler; carried out when its statement is over.
@@ -17,6 +18,8 @@ pub(crate) enum Request {
     ClearAllLocals,
     /// Install stored text: index into the image's programs.
     Install(usize),
+    /// Save, load or forget what outlasts a reset, or restart.
+    Memories(Operation),
     /// Forget what aliases mean (`CLEAR` typed at the system prompt).
     ForgetAliases,
     /// Answer a question that concerns the programs.

@@ -11,6 +11,7 @@ use acrc_vm::{Source, Value};
 
 use crate::error::ControllerError;
 use crate::machine::Machine;
+use crate::nonvolatile::{Setting, SettingValue};
 
 /// One value of a setting.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,22 @@ pub(crate) enum Item {
     Source(Source),
     /// The name of a source that nobody has set: `NONE`.
     Factory(&'static str),
+}
+
+impl Item {
+    fn saved(&self) -> Option<SettingValue> {
+        match self {
+            Self::Number(number) => Some(SettingValue::Number(number.clone())),
+            Self::Source(source) => Some(SettingValue::Source(*source)),
+            Self::Factory(_) => None,
+        }
+    }
+}
+
+/// The flags that keep a setting.
+pub(crate) fn setting_flags() -> impl Iterator<Item = u32> {
+    let laws = all_bits().filter(|row| row.set_by.is_some()).map(|row| row.law);
+    laws.flat_map(|law| (0..law.count).filter_map(move |place| law.number(place)))
 }
 
 /// The settings that have no number: by command, object, and segment where an object has several.
@@ -36,6 +53,27 @@ impl Settings {
             _ => 0,
         };
         self.kept.insert((command, object, segment), items);
+    }
+
+    /// Everything that has been set.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Setting> {
+        self.kept.iter().map(|((command, object, _), items)| Setting {
+            command: *command,
+            object: *object,
+            values: items.iter().filter_map(Item::saved).collect(),
+        })
+    }
+
+    /// Forgets everything but `settings`.
+    pub(crate) fn replace(&mut self, settings: &[Setting]) {
+        self.kept.clear();
+        for setting in settings {
+            let items = setting.values.iter().map(|value| match value {
+                SettingValue::Number(number) => Item::Number(number.clone()),
+                SettingValue::Source(source) => Item::Source(*source),
+            });
+            self.keep(setting.command, setting.object, items.collect());
+        }
     }
 
     /// What was set for an object; nothing at power-up.

@@ -31,7 +31,7 @@ use crate::terminal::StreamError;
 use crate::time::parse_duration;
 
 /// Number of onboard inputs that a world may drive (bits 0-31).
-const INPUTS: u32 = 32;
+pub(crate) const INPUTS: u32 = 32;
 
 /// A scripted change of inputs and parameters.
 #[derive(Clone, Debug, PartialEq)]

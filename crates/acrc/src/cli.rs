@@ -59,6 +59,8 @@ pub(crate) enum Command {
     Sim(SimArguments),
     /// Talk to a virtual controller as at its terminal
     Repl(ReplArguments),
+    /// Show or forget what the controller of `acrc sim --state` keeps without power
+    State(StateArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
     Explain(ExplainArguments),
 }
@@ -145,6 +147,8 @@ pub(crate) enum MemFormat {
 #[derive(Args, Debug)]
 #[command(after_help = "Without --run, the programs that begin with PBOOT are started, as at power-up.\n\
                         A program that never ends is stopped at --until; that is no error.\n\
+                        With --state, the controller begins with what DIR keeps, takes the project as a download,\n\
+                        and saves at ESAVE, ERASE, FLASH ... and when the run ends, which is when power goes off.\n\
                         Standard input is read to its end before the run begins.\n\
                         Exit status: 0 the run went well, 1 a run-time error occurred, 2 could not run, 130 interrupted.")]
 pub(crate) struct SimArguments {
@@ -172,6 +176,15 @@ pub(crate) struct SimArguments {
     /// Parameters and flags to report at the end
     #[arg(long, value_name = "P12288,BIT32,...", value_delimiter = ',', value_parser = parse_register)]
     pub(crate) read: Vec<Register>,
+    /// Folder of what the controller keeps without power; made if there is none
+    #[arg(long, value_name = "DIR")]
+    pub(crate) state: Option<PathBuf>,
+    /// Send no project: switch the controller on and run what the state holds
+    #[arg(long, requires = "state", conflicts_with = "project")]
+    pub(crate) stored: bool,
+    /// The controller has no battery: without power, only what was saved by command is kept
+    #[arg(long)]
+    pub(crate) no_battery: bool,
     /// Seed of the random numbers of RND
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
@@ -212,6 +225,27 @@ pub(crate) enum SimFormat {
     Text,
     /// One JSON object at the end
     Json,
+}
+
+/// `acrc state`
+#[derive(Args, Debug)]
+#[command(after_help = "Exit status: 0 done, 2 the state cannot be used.")]
+pub(crate) struct StateArguments {
+    /// What to do with it
+    #[arg(value_enum)]
+    pub(crate) action: StateAction,
+    /// The folder
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+}
+
+/// What `acrc state` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum StateAction {
+    /// Say what the controller has when it is switched on
+    Show,
+    /// Forget everything, as a controller that comes from the factory
+    Reset,
 }
 
 /// `acrc explain`

@@ -104,3 +104,14 @@ fn the_page_about_building_shows_what_is_written() {
         assert_eq!(blocks(&text, block).concat(), shown, "docs/build.md shows another {block}");
     }
 }
+
+#[test]
+fn every_command_on_the_memories_is_described() {
+    let text = document("docs/nonvolatile.md");
+    let described = keys(&text);
+    let commands = acrc_catalog::all_commands().filter(|command| command.group == "Non-Volatile");
+    let elsewhere = |name: &str| name.starts_with("FIRMWARE") || ["FLASH", "PBOOT"].contains(&name);
+    for command in commands.filter(|command| !elsewhere(command.name)) {
+        assert!(described.contains(command.name), "{}", command.name);
+    }
+}

@@ -18,7 +18,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-fmt", &["acrc-syntax"]),
     ("acrc-vm", &["acrc-image"]),
     ("acrc-controller", &["acrc-vm", "acrc-motion", "acrc-compile"]),
-    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-controller", "acrc-trace"]),
+    ("acrc-store", &["acrc-controller"]),
+    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace"]),
     ("xtask", &["acrc-lint"]),
 ];
 

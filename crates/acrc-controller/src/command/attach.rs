@@ -32,17 +32,7 @@ fn attach_master(context: &mut Context, call: &Call) -> Result<Outcome, Controll
     let program = context.program(call)?;
     let index = object(call, 0, ObjectKind::Master)?;
     let master = Machine::object("MASTER", index, context.machine.model.masters)?;
-    let attached = |what: String, owner: String| ControllerError::AlreadyAttached { what, owner };
-    match context.machine.masters[usize::from(master)].program {
-        Some(owner) if owner != program => return Err(attached(format!("MASTER{master}"), format!("program {owner}"))),
-        _ => {}
-    }
-    let attachment = &mut context.machine.attachments[usize::from(program)];
-    match attachment.master {
-        Some(other) if other != master => return Err(attached(format!("program {program}"), format!("MASTER{other}"))),
-        _ => attachment.master = Some(master),
-    }
-    context.machine.masters[usize::from(master)].program = Some(program);
+    context.machine.attach_master(program, master)?;
     Ok(Outcome::Done)
 }
 
@@ -52,31 +42,66 @@ fn attach_slave(context: &mut Context, call: &Call) -> Result<Outcome, Controlle
     let slot =
         Machine::object("SLAVE", object(call, 0, ObjectKind::Slave)?, context.machine.model.slaves.min(SLOTS as u8))?;
     let axis = context.axis(object(call, 1, ObjectKind::Axis)?)?;
-    let name = slave_name(call)?;
-    let machine = &mut *context.machine;
-    if let Some(owner) = machine.axes[usize::from(axis)].slave {
-        let owner = format!("SLAVE{} of MASTER{}", owner.slot, owner.master);
-        return Err(ControllerError::AlreadyAttached { what: format!("AXIS{axis}"), owner });
-    }
-    if let Some(other) = machine.masters[usize::from(master)].slots[usize::from(slot)] {
-        return Err(ControllerError::AlreadyAttached { what: format!("SLAVE{slot}"), owner: format!("AXIS{other}") });
-    }
-    let names = &machine.attachments[usize::from(program)].names;
-    if names.contains(&Some(name)) {
-        return Err(ControllerError::AlreadyAttached {
-            what: format!("the name {name}"),
-            owner: "another axis of this program".to_owned(),
-        });
-    }
-    let position = machine.position(axis);
-    let profiler = &mut machine.masters[usize::from(master)].profiler;
-    profiler.set_position(usize::from(slot), position).map_err(|_| ControllerError::InMotion)?;
-    // What `VECDEF` said of the axis that had the slot before is not meant for this one.
-    profiler.set_weight(usize::from(slot), 1.0).map_err(|error| ControllerError::Move(error.to_string()))?;
-    machine.masters[usize::from(master)].slots[usize::from(slot)] = Some(axis);
-    machine.axes[usize::from(axis)].slave = Some(SlaveSlot { master, slot });
-    machine.attachments[usize::from(program)].names[usize::from(slot)] = Some(name);
+    context.machine.attach_slave(program, SlaveSlot { master, slot }, axis, slave_name(call)?)?;
     Ok(Outcome::Done)
+}
+
+impl Machine {
+    /// Gives a program its master. Both must exist.
+    pub(crate) fn attach_master(&mut self, program: u8, master: u8) -> Result<(), ControllerError> {
+        let attached = |what: String, owner: String| ControllerError::AlreadyAttached { what, owner };
+        match self.masters[usize::from(master)].program {
+            Some(owner) if owner != program => {
+                return Err(attached(format!("MASTER{master}"), format!("program {owner}")));
+            }
+            _ => {}
+        }
+        let attachment = &mut self.attachments[usize::from(program)];
+        match attachment.master {
+            Some(other) if other != master => {
+                return Err(attached(format!("program {program}"), format!("MASTER{other}")));
+            }
+            _ => attachment.master = Some(master),
+        }
+        self.masters[usize::from(master)].program = Some(program);
+        Ok(())
+    }
+
+    /// Puts an axis into a slot of the master of a program. All of them must exist.
+    pub(crate) fn attach_slave(
+        &mut self,
+        program: u8,
+        place: SlaveSlot,
+        axis: u8,
+        name: AxisName,
+    ) -> Result<(), ControllerError> {
+        let attached = |what: String, owner: String| ControllerError::AlreadyAttached { what, owner };
+        let (master, slot) = (usize::from(place.master), usize::from(place.slot));
+        if let Some(owner) = self.axes[usize::from(axis)].slave {
+            let owner = format!("SLAVE{} of MASTER{}", owner.slot, owner.master);
+            return Err(attached(format!("AXIS{axis}"), owner));
+        }
+        if let Some(other) = self.masters[master].slots[slot] {
+            return Err(attached(format!("SLAVE{slot}"), format!("AXIS{other}")));
+        }
+        if self.attachments[usize::from(program)].names.contains(&Some(name)) {
+            return Err(attached(format!("the name {name}"), "another axis of this program".to_owned()));
+        }
+        let position = self.position(axis);
+        let profiler = &mut self.masters[master].profiler;
+        profiler.set_position(slot, position).map_err(|_| ControllerError::InMotion)?;
+        // What `VECDEF` said of the axis that had the slot before is not meant for this one.
+        profiler.set_weight(slot, 1.0).map_err(|error| ControllerError::Move(error.to_string()))?;
+        self.masters[master].slots[slot] = Some(axis);
+        self.axes[usize::from(axis)].slave = Some(place);
+        self.attachments[usize::from(program)].names[slot] = Some(name);
+        Ok(())
+    }
+
+    /// Frees every master and axis.
+    pub(crate) fn detach_all(&mut self) -> Result<(), ControllerError> {
+        (0..self.model.programs).try_for_each(|program| detach_program(self, program))
+    }
 }
 
 /// The name of `ATTACH SLAVE`, by the rules of the guide: one to four letters, not `P`, not `F`.
@@ -123,9 +148,7 @@ fn detach(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
 }
 
 fn detach_all(context: &mut Context, _: &Call) -> Result<Outcome, ControllerError> {
-    for program in 0..context.machine.model.programs {
-        detach_program(context.machine, program)?;
-    }
+    context.machine.detach_all()?;
     Ok(Outcome::Done)
 }
 

@@ -9,6 +9,7 @@ mod channel;
 mod io;
 mod logic;
 mod moves;
+mod nonvolatile;
 mod profile;
 mod reports;
 mod settings;
@@ -73,6 +74,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         io::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,
+        nonvolatile::COMMANDS,
         profile::COMMANDS,
         reports::COMMANDS,
         settings::COMMANDS,

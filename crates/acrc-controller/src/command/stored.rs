@@ -21,14 +21,7 @@ pub(super) const COMMANDS: &[Entry] = &[
     nothing(command::PLS_OFF),
     nothing(command::PLS_RES),
     nothing(command::RATCH_RES),
-    // Hardware and saving.
+    // Hardware.
     nothing(command::AXIS_ON),
     nothing(command::AXIS_OFF),
-    nothing(command::ESAVE),
-    nothing(command::ELOAD),
-    nothing(command::ERASE),
-    nothing(command::FLASH_ERASE),
-    nothing(command::FLASH_SAVE),
-    nothing(command::FLASH_IMAGE),
-    nothing(command::FLASH_RES),
 ];

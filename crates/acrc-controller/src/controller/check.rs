@@ -50,19 +50,20 @@ impl Controller {
 
     /// Programs whose first statement is `PBOOT`.
     pub fn boot_programs(image: &Image) -> Vec<u8> {
-        let starts = |unit: &&Unit| {
-            let instructions = unit.decode().unwrap_or_default();
-            let first = instructions
-                .iter()
-                .find(|instruction| !matches!(instruction.command, command::REM | command::LINE_NUMBER));
-            first.is_some_and(|instruction| instruction.command == command::PBOOT)
-        };
-        let numbers = image.programs.iter().filter(starts).filter_map(|unit| match unit.name {
+        let numbers = image.programs.iter().filter(|unit| begins_with_pboot(unit)).filter_map(|unit| match unit.name {
             UnitName::Program(number) => Some(number),
             UnitName::Boot | UnitName::Plc(_) => None,
         });
         numbers.collect()
     }
+}
+
+/// Whether the first statement of a text is `PBOOT`.
+fn begins_with_pboot(unit: &Unit) -> bool {
+    let instructions = unit.decode().unwrap_or_default();
+    let first =
+        instructions.iter().find(|instruction| !matches!(instruction.command, command::REM | command::LINE_NUMBER));
+    first.is_some_and(|instruction| instruction.command == command::PBOOT)
 }
 
 /// Whether the controller or the VM executes a command.

@@ -19,7 +19,7 @@ use crate::terminal::{Entry, StoredText, complaint, known_words};
 
 /// Why a text cannot be executed.
 #[derive(Clone, Debug)]
-pub(super) struct Flaw {
+pub(crate) struct Flaw {
     /// The number of the line.
     number: Option<u32>,
     text: String,
@@ -124,7 +124,7 @@ impl Controller {
     }
 
     /// Compiles a text that was edited.
-    pub(super) fn compile(&mut self, level: Level) -> Result<(), Vec<Flaw>> {
+    pub(crate) fn compile(&mut self, level: Level) -> Result<(), Vec<Flaw>> {
         let name = match level {
             Level::System => return Ok(()),
             Level::Program(number) => UnitName::Program(number),

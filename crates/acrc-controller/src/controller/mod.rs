@@ -22,6 +22,7 @@ use acrc_vm::{AngleUnit, Code, Frame, LoadOptions, Locals};
 pub(crate) use ahead::Pace;
 pub use check::Unsupported;
 pub use observer::{Observer, Sent};
+pub(crate) use requests::Refusal;
 pub use run::Stopped;
 pub use view::View;
 
@@ -46,16 +47,16 @@ pub struct Options {
 /// A controller with an image.
 #[derive(Debug)]
 pub struct Controller {
-    machine: Machine,
-    programs: Vec<Program>,
-    scheduler: Scheduler,
+    pub(crate) machine: Machine,
+    pub(crate) programs: Vec<Program>,
+    pub(crate) scheduler: Scheduler,
     /// Stored texts of PLC programs.
-    plcs: Vec<Program>,
-    image: Arc<Image>,
-    aliases: Aliases,
+    pub(crate) plcs: Vec<Program>,
+    pub(crate) image: Arc<Image>,
+    pub(crate) aliases: Aliases,
     /// How programs are made ready to run.
-    load: LoadOptions,
-    boot: Boot,
+    pub(crate) load: LoadOptions,
+    pub(crate) boot: Boot,
     /// Programs to be started when the setup code is done.
     to_start: Vec<u8>,
     /// The tick at which power came on is over.
@@ -64,13 +65,13 @@ pub struct Controller {
     reported_events: usize,
     /// Counts what could end a program's waiting.
     changes: u64,
-    faulted: bool,
+    pub(crate) faulted: bool,
 }
 
 /// Execution of the setup code.
 #[derive(Debug)]
-struct Boot {
-    code: Code,
+pub(crate) struct Boot {
+    pub(crate) code: Code,
     frame: Frame,
     /// Place of the statement that is or was executed last.
     statement: u32,

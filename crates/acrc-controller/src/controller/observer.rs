@@ -1,6 +1,7 @@
 //! Who watches a run.
 
 use super::View;
+use crate::nonvolatile::Saved;
 use crate::report::FaultReport;
 use crate::terminal::StreamName;
 use crate::world::WorldEvent;
@@ -30,6 +31,8 @@ pub trait Observer {
     fn event(&mut self, seconds: f64, event: &WorldEvent, view: &View);
     /// A tick is over: the machine has moved and a program has had its slice. The first one is at time zero.
     fn tick(&mut self, view: &View);
+    /// A command has changed what outlasts a reset.
+    fn saved(&mut self, _: &Saved) {}
     /// Whether [`Observer::tick`] is to be called for every tick. Without, those in which nothing moves and at most one
     /// program computes may be left out, and an hour of waiting costs no time.
     fn watches_every_tick(&self) -> bool {

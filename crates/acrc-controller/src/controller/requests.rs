@@ -1,18 +1,19 @@
 //! What programs ask of the scheduler and of the memory, carried out between statements.
 
 use acrc_catalog::law;
-use acrc_image::UnitName;
+use acrc_image::{Unit, UnitName};
 use acrc_vm::{AngleUnit, Code, Doubt, LoadError, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
+use crate::nonvolatile::Operation;
 use crate::orders::Order;
 use crate::program::{Program, State};
 use crate::report::FaultReport;
 use crate::request::Request;
 
 /// Why a program is not stored.
-enum Refusal {
+pub(crate) enum Refusal {
     Controller(ControllerError),
     /// The text of this program cannot be executed.
     Code(u8, LoadError),
@@ -28,11 +29,14 @@ impl Controller {
     pub(super) fn apply_requests(&mut self, observer: &mut dyn Observer) {
         for request in std::mem::take(&mut self.machine.requests) {
             self.apply(request, observer);
+            if request == Request::Memories(Operation::Reboot) {
+                break;
+            }
         }
     }
 
     /// Carries out one request.
-    pub(super) fn apply(&mut self, request: Request, observer: &mut dyn Observer) {
+    pub(crate) fn apply(&mut self, request: Request, observer: &mut dyn Observer) {
         self.changes += 1;
         match request {
             Request::Run(number) => self.start(number, observer),
@@ -46,6 +50,7 @@ impl Controller {
             Request::ForgetAliases => self.aliases.clear(),
             Request::Report(query, origin) => self.answer(query, origin, observer),
             Request::ClearAllLocals => self.programs.iter_mut().for_each(|program| program.locals.clear()),
+            Request::Memories(operation) => self.operate(operation, observer),
             Request::Install(index) => {
                 if let Err(refusal) = self.install(index) {
                     self.faulted = true;
@@ -68,9 +73,15 @@ impl Controller {
         self.fault_report(None, self.boot.code.location(self.boot.statement), message)
     }
 
-    /// Stores a program's text in its space.
+    /// Stores a program's text of the image in its space.
     fn install(&mut self, index: usize) -> Result<(), Refusal> {
-        let Some(unit) = self.image.programs.get(index) else { return Ok(()) };
+        let Some(unit) = self.image.programs.get(index).cloned() else { return Ok(()) };
+        self.store(unit)
+    }
+
+    /// Stores a text in its space.
+    pub(crate) fn store(&mut self, unit: Unit) -> Result<(), Refusal> {
+        let needed = u64::from(unit.memory());
         let UnitName::Program(number) = unit.name else {
             self.machine
                 .notes
@@ -78,7 +89,7 @@ impl Controller {
             if let UnitName::Plc(number) = unit.name
                 && let Some(plc) = self.plcs.get_mut(usize::from(number))
             {
-                *plc = Program { unit: Some(unit.clone()), text_bytes: u64::from(unit.memory()), ..Program::new() };
+                *plc = Program { unit: Some(unit), text_bytes: needed, ..Program::new() };
             }
             return Ok(());
         };
@@ -87,18 +98,17 @@ impl Controller {
             return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.into());
         };
         let available = self.machine.space(number);
-        let needed = u64::from(unit.memory());
         if needed > available {
             return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.into());
         }
         let code =
-            Code::load_with(unit, &self.image.aliases, self.load).map_err(|error| Refusal::Code(number, error))?;
+            Code::load_with(&unit, self.aliases.entries(), self.load).map_err(|error| Refusal::Code(number, error))?;
         let angles = self.load.angle;
         self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt, angles)));
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
-        program.unit = Some(unit.clone());
+        program.unit = Some(unit);
         program.code = Some(code);
         program.edited = None;
         program.text_bytes = needed;
@@ -162,7 +172,7 @@ impl Controller {
     }
 
     /// Shows the state of the programs in their flags.
-    pub(super) fn update_program_flags(&mut self) {
+    pub(crate) fn update_program_flags(&mut self) {
         for (number, program) in self.programs.iter().enumerate() {
             self.machine.flags.set_law(law::PROGRAM_RUNNING, number as u32, program.state.is_active());
             self.machine.flags.set_law(law::PROGRAM_PAUSE, number as u32, program.state == State::Paused);

@@ -2,7 +2,7 @@
 
 mod bits;
 mod live;
-mod map;
+pub(crate) mod map;
 mod parameters;
 mod store;
 

@@ -109,7 +109,7 @@ impl Machine {
     }
 
     /// Whether the model has an object.
-    fn has(&self, owner: Owner, object: u8) -> bool {
+    pub(crate) fn has(&self, owner: Owner, object: u8) -> bool {
         object < self.count(owner)
     }
 

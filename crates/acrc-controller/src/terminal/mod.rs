@@ -85,6 +85,15 @@ impl Terminal {
         self.channels.keys().copied().collect()
     }
 
+    /// The controller restarts: every channel is at the system level, and nobody listens or enters a program.
+    pub(crate) fn restart(&mut self) {
+        for channel in self.channels.values_mut() {
+            channel.level = acrc_syntax::units::Level::System;
+            channel.entry = None;
+            channel.listening = None;
+        }
+    }
+
     /// All channels.
     pub(crate) fn channels(&self) -> impl Iterator<Item = &Channel> {
         self.channels.values()

@@ -8,6 +8,7 @@ mod extremes;
 mod holds;
 mod memory;
 mod moves;
+mod nonvolatile;
 mod parameters;
 mod programs;
 mod properties;

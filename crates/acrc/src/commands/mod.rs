@@ -10,6 +10,7 @@ mod project;
 mod repl;
 mod sim;
 mod source_file;
+mod state;
 mod stdin;
 mod targets;
 
@@ -26,6 +27,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Mem(mem) => mem::run(mem, arguments.color),
         Command::Sim(sim) => sim::run(sim, arguments.color),
         Command::Repl(repl) => repl::run(repl, arguments.color),
+        Command::State(state) => state::run(state),
         Command::Explain(explain) => explain::run(explain),
     }
 }

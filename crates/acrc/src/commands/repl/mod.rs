@@ -59,7 +59,7 @@ fn prepare(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Result<Opti
     project.model = arguments.model.unwrap_or(project.model);
     let world = load_world(arguments.world.as_deref(), &project)?;
     let image = compile(&project, "is not started", Terminal::error(color));
-    Ok(image.map(|image| (title(&project).to_owned(), image, options(world, angles(None, &project)))))
+    Ok(image.map(|image| (title(&project).to_owned(), image, options(world, angles(None, Some(&project))))))
 }
 
 /// An image without setup code and programs.

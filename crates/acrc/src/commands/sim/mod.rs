@@ -5,6 +5,7 @@ mod observer;
 mod ports;
 mod recorder;
 mod signals;
+mod state;
 mod summary;
 
 use std::path::{Path, PathBuf};
@@ -22,6 +23,7 @@ use anyhow::{Context as _, bail};
 use self::observer::RunObserver;
 use self::ports::Outputs;
 use self::recorder::Recorder;
+use self::state::State;
 use super::project::{check, compile, errors_of, inputs, load, title};
 use crate::cli::{Angles, ColorChoice, Register, SimArguments, SimFormat};
 use crate::exit::Exit;
@@ -30,32 +32,36 @@ use crate::output::{Terminal, refuse_clashes};
 /// Virtual time of a run when nothing else is said, in seconds.
 const DEFAULT_UNTIL: f64 = 60.0;
 
+/// What is to be run.
+struct Setup {
+    image: Arc<Image>,
+    world: World,
+    angles: AngleUnit,
+    start: Vec<u8>,
+    until: f64,
+    title: String,
+    notes: Vec<String>,
+}
+
 pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Result<Exit> {
-    let project = load(&arguments.project)?;
+    let project = if arguments.stored { None } else { Some(load(&arguments.project)?) };
     let sent = arguments.output.iter().map(|output| &output.path);
     let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).chain(sent).map(PathBuf::as_path).collect();
     let typed = arguments.input.iter().map(|input| input.path.clone());
-    let inputs: Vec<PathBuf> = inputs(&project).into_iter().chain(arguments.world.clone()).chain(typed).collect();
+    let inputs: Vec<PathBuf> = project.iter().flat_map(inputs).chain(arguments.world.clone()).chain(typed).collect();
     refuse_clashes(&outputs, &inputs)?;
-    let world = load_world(arguments.world.as_deref(), &project)?;
-    let Some(image) = compile(&project, "is not run", Terminal::error(color)) else {
-        bail!("{} cannot be run before that is mended", title(&project));
+    let mut state = arguments.state.as_deref().map(State::open).transpose()?;
+    let setup = match &project {
+        Some(project) => of_project(arguments, project, color)?,
+        None => of_state(arguments, state.as_ref())?,
     };
-    if image.boot.words.is_empty() && image.programs.is_empty() {
-        bail!("{} holds no statement: there is nothing to run", arguments.project.display());
-    }
-    let image = Arc::new(image);
-    let (start, mut notes) = programs_to_start(arguments, &project, &image)?;
-    refuse_unsupported(&image, &start)?;
-    let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
-    let errors: usize = errors_of(check(&project)).iter().map(Vec::len).sum();
-    if errors > 0 {
-        let plural = if errors == 1 { "error" } else { "errors" };
-        notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
-    }
+    let Setup { image, world, angles, mut start, until, title, mut notes } = setup;
     let mut recorder = Recorder::new(arguments, &image, &world)?;
-    let options = Options { world, seed: arguments.seed, angles: angles(arguments.angles, &project) };
-    let mut controller = Controller::new(Arc::clone(&image), options).context("the compiled program does not load")?;
+    let options = Options { world, seed: arguments.seed, angles };
+    let kept = state.as_ref().and_then(|state| state.saved.as_ref());
+    let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
+        .with_context(|| State::cannot_power_up(state.as_ref()))?;
+    start.extend(kept_programs_to_start(arguments, &controller, &image)?);
     check_registers(&controller, &arguments.read)?;
     ports::check(arguments, &controller)?;
     ports::offer(&arguments.input, &mut controller)?;
@@ -65,17 +71,21 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     let flag = Arc::clone(&interrupted);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("cannot watch for Ctrl-C")?;
     let live = arguments.format == SimFormat::Text;
-    let mut observer = RunObserver::new((&mut recorder, &mut sent), live, Terminal::output(color), &interrupted);
+    let files = (&mut recorder, &mut sent);
+    let mut observer = RunObserver::new(files, live, Terminal::output(color), &interrupted, state.as_mut());
     let begun = Instant::now();
     let stopped = controller.run(&start, until, &mut observer);
     let wall = begun.elapsed();
     let record = observer.finish()?;
     recorder.last(&controller.view())?;
+    if let Some(state) = &mut state {
+        state.save(&controller.saved())?;
+    }
 
     let exit = exit_of(stopped, &controller);
     let files = match stopped {
         Stopped::Interrupted => Vec::new(),
-        Stopped::Ended | Stopped::Until => [recorder.finish(title(&project))?, sent.finish()?].concat(),
+        Stopped::Ended | Stopped::Until => [recorder.finish(&title)?, sent.finish()?].concat(),
     };
     notes.extend(summary::notes_of(&controller, &record));
     let report =
@@ -87,9 +97,65 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     Ok(exit)
 }
 
+/// A project that is sent to the controller.
+fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorChoice) -> anyhow::Result<Setup> {
+    let world = load_world(arguments.world.as_deref(), project)?;
+    let Some(image) = compile(project, "is not run", Terminal::error(color)) else {
+        bail!("{} cannot be run before that is mended", title(project));
+    };
+    if image.boot.words.is_empty() && image.programs.is_empty() {
+        bail!("{} holds no statement: there is nothing to run", arguments.project.display());
+    }
+    let (start, mut notes) = programs_to_start(arguments, project, &image)?;
+    refuse_unsupported(&image, &start)?;
+    let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
+    let errors: usize = errors_of(check(project)).iter().map(Vec::len).sum();
+    if errors > 0 {
+        let plural = if errors == 1 { "error" } else { "errors" };
+        notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
+    }
+    let angles = angles(arguments.angles, Some(project));
+    Ok(Setup { image: Arc::new(image), world, angles, start, until, title: title(project).to_owned(), notes })
+}
+
+/// A controller that is only switched on.
+fn of_state(arguments: &SimArguments, state: Option<&State>) -> anyhow::Result<Setup> {
+    let Some(saved) = state.and_then(|state| state.saved.as_ref()) else {
+        bail!("nothing was saved yet: run a project with --state first, without --stored");
+    };
+    Ok(Setup {
+        image: Arc::new(Image::empty(&saved.model)),
+        world: arguments.world.as_deref().map_or_else(|| Ok(World::default()), read_world)?,
+        angles: angles(arguments.angles, None),
+        start: Vec::new(),
+        until: arguments.until.unwrap_or(DEFAULT_UNTIL),
+        title: "stored programs".to_owned(),
+        notes: Vec::new(),
+    })
+}
+
+/// The programs that the controller has kept and that are started: those of `--run` when no project is sent, else those that begin with
+/// `PBOOT`, unless the project replaces them.
+fn kept_programs_to_start(arguments: &SimArguments, controller: &Controller, image: &Image) -> anyhow::Result<Vec<u8>> {
+    let stored = controller.stored_programs();
+    let holds = |image: &Image, number: u8| image.programs.iter().any(|unit| unit.name == UnitName::Program(number));
+    let mut start = Vec::new();
+    if arguments.run.is_empty() {
+        start = controller.kept_boot_programs();
+        start.retain(|number| !holds(image, *number));
+    } else if arguments.stored {
+        start.clone_from(&arguments.run);
+        if let Some(missing) = start.iter().find(|number| !holds(&stored, **number)) {
+            bail!("PROG{missing} has no text in the controller");
+        }
+    }
+    refuse_unsupported(&stored, &start)?;
+    Ok(start)
+}
+
 /// The unit of angles of the command line, else of the project.
-pub(super) fn angles(chosen: Option<Angles>, project: &LoadedProject) -> AngleUnit {
-    let configured = project.config.sim.angles.map(|angles| match angles {
+pub(super) fn angles(chosen: Option<Angles>, project: Option<&LoadedProject>) -> AngleUnit {
+    let configured = project.and_then(|project| project.config.sim.angles).map(|angles| match angles {
         ConfigAngles::Radians => Angles::Radians,
         ConfigAngles::Degrees => Angles::Degrees,
     });

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use acrc_controller::nonvolatile::Saved;
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{FaultReport, Observer, Sent, StreamName, View};
 
 use super::ports::Outputs;
 use super::recorder::Recorder;
+use super::state::State;
 use crate::output::{Terminal, nobody_reads, print};
 
 /// Output kept for the report, at most; later lines are counted only.
@@ -42,6 +44,8 @@ pub(super) struct RunObserver<'a> {
     live: bool,
     terminal: Terminal,
     interrupted: &'a AtomicBool,
+    /// Where the controller's saved state goes.
+    state: Option<&'a mut State>,
     record: Record,
     /// Text of lines that have not ended yet, with the time of their first character.
     open: BTreeMap<Route, (f64, String)>,
@@ -54,9 +58,10 @@ impl<'a> RunObserver<'a> {
         live: bool,
         terminal: Terminal,
         interrupted: &'a AtomicBool,
+        state: Option<&'a mut State>,
     ) -> Self {
         let record = Record::default();
-        Self { recorder, outputs, live, terminal, interrupted, record, open: BTreeMap::new(), failure: None }
+        Self { recorder, outputs, live, terminal, interrupted, state, record, open: BTreeMap::new(), failure: None }
     }
 
     /// What was recorded, with the lines that never ended; or why it could not be shown or written.
@@ -156,6 +161,13 @@ impl Observer for RunObserver<'_> {
             self.show(seconds, "world", &changes);
         }
         self.recorder.event(seconds, event);
+    }
+
+    fn saved(&mut self, saved: &Saved) {
+        if let Some(state) = &mut self.state {
+            let result = state.save(saved);
+            self.fail(result);
+        }
     }
 
     fn tick(&mut self, view: &View) {

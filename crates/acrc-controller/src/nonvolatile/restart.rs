@@ -1,0 +1,47 @@
+//! The machine at a restart: what begins anew and what goes on.
+
+use super::Operation;
+use crate::machine::Machine;
+use crate::request::Request;
+use crate::world::{INPUTS, World};
+
+impl Machine {
+    /// Power comes back, or the controller restarts: everything is as at power-up, but time and the world go on, and what outlasts a reset
+    /// beside working memory is kept.
+    pub(crate) fn restart(&mut self) {
+        let fresh = Self::new(self.model, World::default(), self.random);
+        let before = std::mem::replace(self, fresh);
+        self.clock = before.clock;
+        self.clock_base = (self.clock.ticks(), 0);
+        self.nonvolatile = before.nonvolatile;
+        self.network = before.network;
+        self.terminal = before.terminal;
+        self.terminal.restart();
+        self.notes = before.notes;
+        self.world = before.world;
+        self.next_event = before.next_event;
+        for input in (0..INPUTS).filter(|input| before.flags.get(*input)) {
+            self.flags.set(input, true);
+        }
+        for (axis, before) in self.axes.iter_mut().zip(before.axes) {
+            axis.statistics = before.statistics;
+            axis.was_enabled = before.was_enabled;
+        }
+        for (master, before) in self.masters.iter_mut().zip(before.masters) {
+            master.statistics = before.statistics;
+        }
+    }
+
+    /// Whether there is an image in flash memory, or will be when what was asked for is done.
+    pub(crate) fn has_image(&self) -> bool {
+        let mut there = self.nonvolatile.image.is_some();
+        for request in &self.requests {
+            match request {
+                Request::Memories(Operation::FlashPrograms | Operation::FlashEverything) => there = true,
+                Request::Memories(Operation::EraseFlash) => there = false,
+                _ => {}
+            }
+        }
+        there
+    }
+}
