@@ -23,7 +23,8 @@ impl Controller {
         let seconds = self.machine.clock.seconds();
         match image.to_bytes() {
             Ok(bytes) => {
-                observer.output(&Sent { seconds, program: None, device: 0, stream: None, text: &intel_hex(&bytes) })
+                let text = intel_hex(&bytes);
+                observer.output(&Sent { seconds, program: None, device: 0, stream: None, text: &text });
             }
             Err(error) => {
                 self.machine.notes.insert(format!("PROM sent nothing: {error}"));
