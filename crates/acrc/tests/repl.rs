@@ -43,6 +43,22 @@ fn programs_with_pboot_run() {
 }
 
 #[test]
+fn a_state_folder_outlasts_the_session() {
+    let bench = Bench::new();
+    let state = ["--state", "kept"];
+    let no_battery = ["--state", "kept", "--no-battery"];
+    let enter = "PROG0\rPROGRAM\rPBOOT\rPRINT \"up\"\rENDP\r";
+    let text = "PROG0\r\nP00>LIST\r\nPBOOT\r\nPRINT \"up\"\r\nP00>";
+    talk(&bench, &state, enter);
+    assert_eq!(talk(&bench, &state, "PROG0\rLIST\r"), text);
+    // What is in the memory is lost when power goes off without a battery.
+    assert_eq!(talk(&bench, &no_battery, "PROG0\rLIST\r"), text);
+    assert_eq!(talk(&bench, &state, "PROG0\rLIST\r"), "PROG0\r\nP00>LIST\r\nP00>");
+    talk(&bench, &no_battery, &format!("{enter}FLASH SAVE\r"));
+    assert_eq!(talk(&bench, &state, "PROG0\rLIST\r"), text);
+}
+
+#[test]
 fn what_still_goes_on_is_waited_for_and_no_longer_than_asked() {
     let bench = Bench::new();
     bench.file("loop.8K", "PROG0\nPROGRAM\n_again\nPRINT \"tick\"\nDWL 1\nGOTO again\nENDP\n");

@@ -40,6 +40,12 @@ pub(crate) struct ReplArguments {
     /// The machine around the controller: scripted inputs
     #[arg(long, value_name = "world.toml")]
     pub(crate) world: Option<PathBuf>,
+    /// Folder of what the controller keeps without power; made if there is none. A session begins with what it holds
+    #[arg(long, value_name = "DIR")]
+    pub(crate) state: Option<PathBuf>,
+    /// The controller has no battery: without power, only what was saved by command is kept
+    #[arg(long, requires = "state")]
+    pub(crate) no_battery: bool,
     /// Seed of the random numbers of RND
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,

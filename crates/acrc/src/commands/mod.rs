@@ -6,6 +6,7 @@ mod fmt;
 mod lint;
 mod list;
 mod mem;
+pub(crate) mod nonvolatile;
 mod project;
 mod repl;
 mod sim;

@@ -2,11 +2,13 @@
 
 use std::time::{Duration, Instant};
 
+use acrc_controller::nonvolatile::Saved;
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, Sent, StreamName, View};
 use acrc_syntax::units::Level;
 
 use crate::cli::Speed;
+use crate::commands::nonvolatile::State;
 use crate::output::Terminal;
 
 /// Wall time that is spent at once on a controller that is to run as fast as it can.
@@ -31,9 +33,10 @@ impl Session {
         controller: Controller,
         (channel, stream): (ChannelId, StreamName),
         speed: Speed,
+        state: Option<State>,
         terminal: Terminal,
     ) -> Self {
-        let notes = Notes { stream, list: Vec::new() };
+        let notes = Notes { stream, state, failure: None, list: Vec::new() };
         Self { controller, channel, speed, since: (Instant::now(), 0.0), notes, terminal }
     }
 
@@ -41,6 +44,14 @@ impl Session {
     pub(super) fn power_up(&mut self) {
         self.pass(0.0);
         self.since = (Instant::now(), self.controller.seconds());
+    }
+
+    /// Switches the controller off: what it keeps without power is saved.
+    pub(super) fn power_off(mut self) -> anyhow::Result<()> {
+        if let Some(state) = &mut self.notes.state {
+            state.save(&self.controller.saved())?;
+        }
+        self.notes.failure.map_or(Ok(()), Err)
     }
 
     pub(super) fn speed(&self) -> Speed {
@@ -129,6 +140,10 @@ struct Note {
 struct Notes {
     /// The stream at which the session is: it shows what is sent there.
     stream: StreamName,
+    /// Where the controller's saved state goes.
+    state: Option<State>,
+    /// Why something could not be saved.
+    failure: Option<anyhow::Error>,
     list: Vec<Note>,
 }
 
@@ -148,6 +163,14 @@ impl Observer for Notes {
 
     fn fault(&mut self, fault: &FaultReport) {
         self.list.push(Note { text: fault.to_string(), shown_to_listeners: fault.program.is_some() });
+    }
+
+    fn saved(&mut self, saved: &Saved) {
+        let result = self.state.as_mut().map_or(Ok(()), |state| state.save(saved));
+        if let Err(error) = result {
+            self.list.push(Note { text: format!("{error:#}"), shown_to_listeners: false });
+            self.failure.get_or_insert(error);
+        }
     }
 
     fn event(&mut self, _: f64, _: &WorldEvent, _: &View) {}

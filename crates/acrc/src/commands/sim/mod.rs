@@ -5,7 +5,6 @@ mod observer;
 mod ports;
 mod recorder;
 mod signals;
-mod state;
 mod summary;
 
 use std::path::{Path, PathBuf};
@@ -23,7 +22,7 @@ use anyhow::{Context as _, bail};
 use self::observer::RunObserver;
 use self::ports::Outputs;
 use self::recorder::Recorder;
-use self::state::State;
+use super::nonvolatile::State;
 use super::project::{check, compile, errors_of, inputs, load, title};
 use crate::cli::{Angles, ColorChoice, Register, SimArguments, SimFormat};
 use crate::exit::Exit;

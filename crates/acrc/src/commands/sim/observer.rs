@@ -9,7 +9,7 @@ use acrc_controller::{FaultReport, Observer, Sent, StreamName, View};
 
 use super::ports::Outputs;
 use super::recorder::Recorder;
-use super::state::State;
+use crate::commands::nonvolatile::State;
 use crate::output::{Terminal, nobody_reads, print};
 
 /// Output kept for the report, at most; later lines are counted only.
