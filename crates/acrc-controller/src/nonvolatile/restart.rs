@@ -17,6 +17,8 @@ impl Machine {
         self.network = before.network;
         self.terminal = before.terminal;
         self.terminal.restart();
+        self.streams = before.streams;
+        self.streams.restart();
         self.notes = before.notes;
         self.world = before.world;
         self.next_event = before.next_event;

@@ -67,6 +67,14 @@ impl Streams {
         Some((stream, lost))
     }
 
+    /// Closes every device. Whoever types at a port goes on with what is left to type.
+    pub(crate) fn restart(&mut self) {
+        self.open.clear();
+        for input in self.inputs.values_mut() {
+            input.clear();
+        }
+    }
+
     /// The stream of a device.
     pub(crate) fn stream(&self, device: Device) -> Option<StreamName> {
         self.open.get(&device).copied()

@@ -91,6 +91,7 @@ impl Terminal {
             channel.level = acrc_syntax::units::Level::System;
             channel.entry = None;
             channel.listening = None;
+            channel.talking = None;
         }
     }
 

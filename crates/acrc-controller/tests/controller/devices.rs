@@ -145,3 +145,11 @@ fn the_world_types_at_the_terminal_of_a_stream_that_no_program_has() {
     assert!(ran.record.output.iter().all(|line| line.stream.as_deref() == Some("STREAM1") && line.program.is_none()));
     assert!(text(&ran).ends_with("P00>?P0\r\n1\r\nP00>"), "{}", text(&ran));
 }
+
+#[test]
+fn a_restart_closes_the_devices() {
+    let setup = "PROG0\nDIM $V(1,9)\nPROGRAM\nPBOOT\nOPEN \"COM1:\" AS #1\nINPUT #1, \"\"; $V0\nPRINT #1, \"got \"; $V0\nENDP\n";
+    let project = format!("OPEN \"COM1:\" AS #2\nREBOOT\n{setup}");
+    let ran = Sim::new(&project).start(&[0]).offer("COM1", "a\nb\n").run().clean();
+    assert_eq!(text(&ran), "a||got a");
+}
