@@ -6,7 +6,7 @@
 //! - the saved system parameters: attachments, gains, settings of axes and masters ([`SystemParameters`]);
 //! - the user image in flash memory, which takes the place of battery-backed memory at power-up ([`FlashImage`]).
 //!
-//! [`RULES`] says which command does what to which of them. Everything here is plain data; nobody but `acrc-store` knows files.
+//! The table of rules says which command does what to which of them. Everything here is plain data; nobody but `acrc-store` knows files.
 
 mod parameters;
 mod power;
