@@ -6,6 +6,7 @@
 //! ```toml
 //! [inputs]
 //! light_curtain = 10          # a name for onboard input 10
+//! part_present = 11520        # or for another flag that comes from outside: an input of a network
 //!
 //! [[event]]
 //! at = "2.5s"                 # virtual time; a plain number is seconds
@@ -25,12 +26,12 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use thiserror::Error;
 
-use crate::registers::is_plain_parameter;
+use crate::registers::{is_outside_flag, is_plain_parameter};
 use crate::streams::{Port, as_typed};
 use crate::terminal::StreamError;
 use crate::time::parse_duration;
 
-/// Number of onboard inputs that a world may drive (bits 0-31).
+/// Number of onboard inputs (bits 0-31).
 pub(crate) const INPUTS: u32 = 32;
 
 /// A scripted change of inputs and parameters.
@@ -38,9 +39,9 @@ pub(crate) const INPUTS: u32 = 32;
 pub struct WorldEvent {
     /// Virtual time in seconds.
     pub at: f64,
-    /// Input bits that come on.
+    /// Inputs, and other flags that come from outside, that come on.
     pub set: Vec<u32>,
-    /// Input bits that go off.
+    /// The same that go off.
     pub clear: Vec<u32>,
     /// Parameters that get a value: analog inputs, user parameters that a host writes. Programs may be refused to write them.
     pub parameters: Vec<(u32, f64)>,
@@ -98,8 +99,10 @@ pub enum WorldError {
         /// The names there are.
         known: String,
     },
-    /// A number that is no onboard input.
-    #[error("{place}: {number} is no onboard input: they are bits 0 to 31")]
+    /// A flag that the controller decides.
+    #[error(
+        "{place}: flag {number} does not come from outside: onboard inputs are 0 to 31; networks and hardware have more"
+    )]
     NotAnInput {
         /// Where.
         place: String,
@@ -188,7 +191,7 @@ impl World {
         let file: WorldFile = toml::from_str(text).map_err(Box::new)?;
         let mut inputs = BTreeMap::new();
         for (name, number) in file.inputs {
-            let bit = onboard(number, || format!("input `{name}`"))?;
+            let bit = outside(number, || format!("input `{name}`"))?;
             inputs.insert(name, bit);
         }
         let mut events = Vec::with_capacity(file.event.len());
@@ -225,9 +228,9 @@ impl World {
     }
 }
 
-fn onboard(number: i64, place: impl FnOnce() -> String) -> Result<u32, WorldError> {
+fn outside(number: i64, place: impl FnOnce() -> String) -> Result<u32, WorldError> {
     match u32::try_from(number) {
-        Ok(bit) if bit < INPUTS => Ok(bit),
+        Ok(bit) if is_outside_flag(bit) => Ok(bit),
         _ => Err(WorldError::NotAnInput { place: place(), number }),
     }
 }
@@ -277,7 +280,7 @@ fn read_typed(event: usize, file: &EventFile) -> Result<Option<TypedText>, World
 
 fn resolve_input(event: usize, input: &InputFile, inputs: &BTreeMap<String, u32>) -> Result<u32, WorldError> {
     match input {
-        InputFile::Number(number) => onboard(*number, || format!("event {event}")),
+        InputFile::Number(number) => outside(*number, || format!("event {event}")),
         InputFile::Name(name) => inputs.get(name).copied().ok_or_else(|| WorldError::UnknownInput {
             event,
             name: name.clone(),
@@ -319,8 +322,13 @@ mod tests {
     fn every_bad_world_says_what_is_wrong() {
         for (text, expected) in [
             ("[[event]]\nat = 1\nset = [\"door\"]", "event 1: no input is named `door`; `[inputs]` names none"),
-            ("[[event]]\nat = 1\nset = [32]", "event 1: 32 is no onboard input: they are bits 0 to 31"),
-            ("[inputs]\ndoor = -1", "input `door`: -1 is no onboard input: they are bits 0 to 31"),
+            (
+                "[[event]]\nat = 1\nset = [32]",
+                "event 1: flag 32 does not come from outside: onboard inputs are 0 to 31",
+            ),
+            ("[inputs]\ndoor = -1", "input `door`: flag -1 does not come from outside"),
+            ("[[event]]\nat = 1\nclear = [516]", "event 1: flag 516 does not come from outside"),
+            ("[[event]]\nat = 1\nset = [65536]", "event 1: flag 65536 does not come from outside"),
             ("[[event]]\nat = \"soon\"\nset = [1]", "event 1: `soon` is no duration"),
             ("[[event]]\nat = -1.0\nset = [1]", "event 1: a time of -1 seconds is not possible"),
             ("[[event]]\nat = 1", "event 1: nothing happens in it"),

@@ -22,7 +22,8 @@ impl Machine {
         self.notes = before.notes;
         self.world = before.world;
         self.next_event = before.next_event;
-        for input in (0..INPUTS).filter(|input| before.flags.get(*input)) {
+        let inputs = (0..INPUTS).chain(self.world.driven_inputs());
+        for input in inputs.filter(|input| before.flags.get(*input)) {
             self.flags.set(input, true);
         }
         for (axis, before) in self.axes.iter_mut().zip(before.axes) {

@@ -148,6 +148,17 @@ pub(crate) fn is_plain_parameter(number: u32) -> bool {
     number < FIRST_WORD || number >= FIRST_WORD + Flags::WORDS && map().parameter(number).is_some_and(plain)
 }
 
+/// Whether the world around the controller may change a flag: inputs, states of networks and of hardware, flags that a host writes. Outputs, requests
+/// and what follows from programs and motion are the controller's own.
+pub(crate) fn is_outside_flag(number: u32) -> bool {
+    let flag = map().flag(number);
+    match flag.effect {
+        Effect::None => bit(number).object != Space::Output,
+        Effect::ReadOnly => flag.owner == Owner::None,
+        _ => false,
+    }
+}
+
 fn describe_parameter(number: u32) -> Parameter {
     let info = parameter(number);
     let (owner, object) = owner(info.object, info.object_index);
