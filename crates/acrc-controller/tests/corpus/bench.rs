@@ -104,6 +104,7 @@ pub(crate) struct Plan<'a> {
     /// Only what is printed and what the watched flag does is of interest, not the way of the axes.
     pub(crate) unwatched: bool,
     pub(crate) seed: u64,
+    pub(crate) no_battery: bool,
     pub(crate) idle: bool,
 }
 
@@ -140,8 +141,13 @@ impl Bench {
 
     /// The same behind more statements.
     pub(crate) fn terminal_with(listing: &Listing, before: &str) -> Self {
-        let text = format!("SYS\n{}{before}\n", listing.context);
-        let mut bench = Self::powered(&text, &listing.model, &Plan { unwatched: true, ..Plan::default() }, &[]);
+        Self::terminal_planned(listing, &Plan { before, ..Plan::default() })
+    }
+
+    /// The same in the circumstances of a plan.
+    pub(crate) fn terminal_planned(listing: &Listing, plan: &Plan) -> Self {
+        let text = format!("SYS\n{}{}\n", listing.context, plan.before);
+        let mut bench = Self::powered(&text, &listing.model, &Plan { unwatched: true, ..*plan }, &[]);
         if listing.context.contains("PROG") {
             let prompt = format!("PROG{}", listing.program());
             bench.ask(&prompt);
@@ -167,13 +173,18 @@ impl Bench {
     fn powered(text: &str, model: &str, plan: &Plan, start: &[u8]) -> Self {
         let image = image(text, model).unwrap_or_else(|error| panic!("{error}\n{text}"));
         let options = Options { world: world(plan), seed: plan.seed, ..Options::default() };
-        let mut controller = Controller::new(Arc::new(image), options).expect("compiled programs load");
+        let mut controller =
+            Controller::with_memory(Arc::new(image), options, !plan.no_battery, None).expect("compiled programs load");
         let stream = controller.model().streams[0].parse().expect("a stream of the model");
         let channel = controller.open_channel(stream).expect("nobody uses it");
         let mut record = Record { flag: plan.flag, watched: !plan.unwatched, ..Record::default() };
         controller.start_after_setup(start);
         controller.run_until(0, &mut record);
         Self { controller, record, channel }
+    }
+
+    pub(crate) fn switch_off_and_on(&mut self) {
+        self.controller.power_cycle(&mut self.record);
     }
 
     /// Lets time pass.

@@ -20,8 +20,6 @@ use guide::Listing;
 
 /// The files that a dry run refuses, and the commands that it does not execute.
 const REFUSED: &[(u8, &[&str])] = &[
-    (11, &["FLASH LOAD"]),
-    (30, &["BRESET", "REBOOT"]),
     (37, &["SINE"]),
     (41, &["JOG ABS"]),
     (42, &["JOG REN", "JOG RES"]),

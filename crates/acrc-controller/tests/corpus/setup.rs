@@ -20,8 +20,9 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
     (11, &[]),
     (12, &[Shows(pairs), Shows(two_axes), Shows(halting)]),
     (13, &[Shows(velocity_report), Shows(first_output)]),
-    (14, &[Shows(line_is_stored), Shows(line_numbers), Later("needs REBOOT")]),
+    (14, &[Shows(line_is_stored), Shows(line_numbers), Shows(line_is_lost)]),
     (15, &[Shows(pause_and_resume)]),
+    (30, &[Shows(back_to_the_factory), Shows(no_model_takes_all)]),
     (
         31,
         &[
@@ -246,6 +247,47 @@ fn line_numbers(listing: &Listing, _: &Fact) {
     let (mut bench, _) = typed(listing);
     bench.ask("SET 5651");
     assert_eq!(bench.ask("LIST"), listing.text);
+}
+
+fn line_is_lost(listing: &Listing, _: &Fact) {
+    for (save, left) in [("", ""), ("FLASH SAVE", listing.text.as_str())] {
+        let mut bench = Bench::terminal_planned(listing, &Plan { no_battery: true, ..Plan::default() });
+        for line in [listing.text.trim_end(), save, "REBOOT"] {
+            bench.ask(line);
+        }
+        bench.pass(1.0);
+        for line in ["PROG0", "SET 5651"] {
+            bench.ask(line);
+        }
+        assert_eq!(bench.ask("LIST"), left);
+    }
+}
+
+fn back_to_the_factory(listing: &Listing, _: &Fact) {
+    let reports = ["DIM", "MEM", "ATTACH", "CONFIG", "DEF", "AXIS0 PPU"];
+    let factory = reports.map(|report| Bench::setup("").ask(report));
+    let used = "SYS\nCLEAR\nDIM PROG0(4000)\nDIM P(10)\nDIM DEF(4)\n#DEFINE door BIT10\nCONFIG ENC4 DAC4 NONE NONE\n\
+                ATTACH AXIS0 ENC2 DAC2 ENC2\nAXIS0 PPU 4000\nESAVE\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\n\
+                PROGRAM\n_Again\nDWL 1\nGOTO Again\nENDP\nFLASH SAVE\nRUN\nSYS\n";
+    let mut bench = Bench::setup(used);
+    bench.pass(0.5).clean();
+    assert!(reports.iter().zip(&factory).all(|(report, factory)| bench.ask(report) != *factory));
+    for line in listing.text.lines().filter(|line| !["CLEAR DPCB", "CLEAR FIFO"].contains(line)) {
+        assert_eq!(bench.ask(line), "", "{line}");
+    }
+    bench.pass(1.0).switch_off_and_on();
+    bench.ask("SYS");
+    assert_eq!(reports.map(|report| bench.ask(report)), factory);
+    bench.ask("PROG0");
+    assert_eq!(bench.ask("LIST"), "");
+}
+
+fn no_model_takes_all(listing: &Listing, _: &Fact) {
+    for model in acrc_catalog::models() {
+        let mut bench = Bench::of_model(model.name);
+        let answers: Vec<String> = listing.text.lines().map(|line| bench.ask(line)).collect();
+        assert!(answers.iter().any(|answer| !answer.is_empty()), "{}", model.name);
+    }
 }
 
 fn pause_and_resume(listing: &Listing, _: &Fact) {
