@@ -21,8 +21,8 @@ pub enum Block {
     Parameters,
     /// The alias table.
     Aliases,
-    /// The buffer of a communication stream, by a number of ours.
-    Stream(u8),
+    /// The buffer of a communication stream.
+    Stream(StreamName),
 }
 
 impl fmt::Display for Block {
@@ -32,14 +32,14 @@ impl fmt::Display for Block {
             Self::Plc(number) => write!(f, "PLC{number}"),
             Self::Parameters => f.write_str("P"),
             Self::Aliases => f.write_str("DEF"),
-            Self::Stream(number) => write!(f, "STREAM{number}"),
+            Self::Stream(stream) => stream.fmt(f),
         }
     }
 }
 
 /// A name that no block of memory has.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{0}` is no block of memory: they are PROGn, PLCn, STREAMn, P and DEF")]
+#[error("`{0}` is no block of memory: they are PROGn, PLCn, P, DEF and the streams")]
 pub struct UnknownBlock(String);
 
 impl FromStr for Block {
@@ -50,10 +50,9 @@ impl FromStr for Block {
         let block = match (name.strip_suffix(digits), digits.parse()) {
             (Some("PROG"), Ok(number)) => Self::Program(number),
             (Some("PLC"), Ok(number)) => Self::Plc(number),
-            (Some("STREAM"), Ok(number)) => Self::Stream(number),
             _ if name == "P" => Self::Parameters,
             _ if name == "DEF" => Self::Aliases,
-            _ => return Err(UnknownBlock(name.to_owned())),
+            _ => Self::Stream(name.parse().map_err(|_| UnknownBlock(name.to_owned()))?),
         };
         Ok(block)
     }
@@ -103,6 +102,11 @@ impl SystemMemory {
         self.user.clear();
     }
 
+    /// Gives the buffer of a stream the size of the factory again.
+    pub(crate) fn clear_stream(&mut self, stream: StreamName) {
+        self.blocks.remove(&Block::Stream(stream));
+    }
+
     /// Gives a block its memory. `size` is bytes for programs, PLCs and streams, and a count for parameters and aliases.
     pub(crate) fn dimension(&mut self, block: Block, size: i64) -> Result<(), ControllerError> {
         if let Some(bytes) = self.size(block) {
@@ -140,11 +144,7 @@ impl SystemMemory {
 
     /// Size of the buffer of a stream.
     pub(crate) fn stream_bytes(&self, stream: StreamName) -> u32 {
-        let block = match stream {
-            StreamName::Stream(number) => self.size(Block::Stream(number)),
-            StreamName::Fifo | StreamName::DualPort | StreamName::Com(_) => None,
-        };
-        block.unwrap_or(memory::FACTORY_STREAM_BYTES)
+        self.size(Block::Stream(stream)).unwrap_or(memory::FACTORY_STREAM_BYTES)
     }
 
     /// The user parameters.

@@ -1,6 +1,6 @@
 //! Levels, memory and program control (guide, "Operating System", "Memory Control", "Program Control").
 
-use acrc_catalog::{CommandId, Keyword, ObjectKind, command};
+use acrc_catalog::{CommandId, Keyword, Model, ObjectKind, command};
 use acrc_syntax::units::Level;
 use acrc_vm::{Arg, Call, Outcome};
 
@@ -10,6 +10,7 @@ use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::memory::Block;
 use crate::request::{Query, Request};
+use crate::terminal::StreamName;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::SYS, Action::Run(level)),
@@ -32,16 +33,15 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::DIM_P, Action::Run(dimension)),
     (command::DIM_DEF, Action::Run(dimension)),
     (command::DIM_STREAM, Action::Run(dimension)),
-    // Resizing a communication buffer changes nothing that a dry run shows.
-    (command::DIM_COM1, Action::Nothing),
-    (command::DIM_COM2, Action::Nothing),
-    (command::DIM_FIFO, Action::Nothing),
-    (command::DIM_DPCB, Action::Nothing),
-    (command::CLEAR_COM1, Action::Nothing),
-    (command::CLEAR_COM2, Action::Nothing),
-    (command::CLEAR_FIFO, Action::Nothing),
-    (command::CLEAR_DPCB, Action::Nothing),
-    (command::CLEAR_STREAM, Action::Nothing),
+    (command::DIM_COM1, Action::Run(dimension)),
+    (command::DIM_COM2, Action::Run(dimension)),
+    (command::DIM_FIFO, Action::Run(dimension)),
+    (command::DIM_DPCB, Action::Run(dimension)),
+    (command::CLEAR_COM1, Action::Run(clear_stream)),
+    (command::CLEAR_COM2, Action::Run(clear_stream)),
+    (command::CLEAR_FIFO, Action::Run(clear_stream)),
+    (command::CLEAR_DPCB, Action::Run(clear_stream)),
+    (command::CLEAR_STREAM, Action::Run(clear_stream)),
     (command::PERIOD, Action::Run(period)),
     (command::PBOOT, Action::Nothing),
     (command::REM, Action::Nothing),
@@ -135,28 +135,58 @@ fn dimension(context: &mut Context, call: &Call) -> Result<Outcome, ControllerEr
     if context.program.is_some() {
         return Err(ControllerError::WrongLevel { command, level: "program".to_owned() });
     }
-    let mut numbers = Vec::new();
-    for argument in call.arguments {
-        match argument {
-            Arg::Value(value, _) => numbers.push(real(command, value)? as i64),
-            _ => return Err(ControllerError::Expected { command, expected: "sizes" }),
-        }
-    }
+    let numbers = whole_numbers(call)?;
     let model = context.machine.model;
     let (block, size) = match (call.command, &numbers[..]) {
         (command::DIM_P, [count]) => (Block::Parameters, *count),
         (command::DIM_DEF, [count]) => (Block::Aliases, *count),
         (command::DIM_PROG, [index, size]) => (Block::Program(Machine::object("PROG", *index, model.programs)?), *size),
         (command::DIM_PLC, [index, size]) => (Block::Plc(Machine::object("PLC", *index, model.plcs)?), *size),
-        (command::DIM_STREAM, [index, size]) => (Block::Stream(Machine::object("STREAM", *index, STREAMS)?), *size),
+        (_, [.., size]) if let Some(stream) = stream(model, call.command, &numbers)? => (Block::Stream(stream), *size),
         _ => return Err(ControllerError::Expected { command, expected: "a size" }),
     };
     context.machine.memory.dimension(block, size)?;
     Ok(Outcome::Done)
 }
 
-/// STREAM0 to STREAM5.
-const STREAMS: u8 = 6;
+/// `CLEAR COM1` and the like: the buffer of a stream is what the factory makes it.
+fn clear_stream(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let command = call.command.info().name;
+    if context.program.is_some() {
+        return Err(ControllerError::WrongLevel { command, level: "program".to_owned() });
+    }
+    if let Some(stream) = stream(context.machine.model, call.command, &whole_numbers(call)?)? {
+        context.machine.memory.clear_stream(stream);
+    }
+    Ok(Outcome::Done)
+}
+
+/// The stream that a command is about, if it is about one; the model must have it.
+fn stream(model: &'static Model, command: CommandId, numbers: &[i64]) -> Result<Option<StreamName>, ControllerError> {
+    let stream = match command {
+        command::DIM_COM1 | command::CLEAR_COM1 => StreamName::Com(1),
+        command::DIM_COM2 | command::CLEAR_COM2 => StreamName::Com(2),
+        command::DIM_FIFO | command::CLEAR_FIFO => StreamName::Fifo,
+        command::DIM_DPCB | command::CLEAR_DPCB => StreamName::DualPort,
+        command::DIM_STREAM | command::CLEAR_STREAM => {
+            let index = numbers.first().copied().unwrap_or(-1);
+            StreamName::Stream(u8::try_from(index).unwrap_or(u8::MAX))
+        }
+        _ => return Ok(None),
+    };
+    stream.check(model).map_err(|error| ControllerError::Device(error.into()))?;
+    Ok(Some(stream))
+}
+
+/// The numbers behind a command.
+fn whole_numbers(call: &Call) -> Result<Vec<i64>, ControllerError> {
+    let command = call.command.info().name;
+    let number = |argument: &Arg| match argument {
+        Arg::Value(value, _) => Ok(real(command, value)? as i64),
+        _ => Err(ControllerError::Expected { command, expected: "sizes" }),
+    };
+    call.arguments.iter().map(number).collect()
+}
 
 /// `PERIOD` sets the servo period; a run keeps the one it started with.
 fn period(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {

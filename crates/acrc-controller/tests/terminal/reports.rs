@@ -39,6 +39,20 @@ fn memory_of_the_system() {
 }
 
 #[test]
+fn buffers_of_streams() {
+    let mut desk = Desk::new();
+    let free: u32 = desk.ask("MEM").trim().parse().expect("a number");
+    assert_eq!(desk.ask("DIM COM2(300) : DIM STREAM5(100)"), "");
+    assert_eq!(desk.ask("DIM COM2(400)"), "Re-dimensioned block\r\n");
+    assert_eq!(desk.ask("MEM"), format!("{}\r\n", free - 400));
+    assert_eq!(desk.ask("CLEAR COM2 : DIM COM2(400) : CLEAR STREAM5"), "");
+    assert_eq!(desk.ask("MEM"), format!("{}\r\n", free - 400));
+    for (line, stream) in [("CLEAR FIFO", "FIFO"), ("DIM DPCB(100)", "DPCB"), ("DIM STREAM6(100)", "STREAM6")] {
+        assert!(desk.ask(line).starts_with(&format!("ACR9000 has no {stream}: its streams are COM1")), "{line}");
+    }
+}
+
+#[test]
 fn memory_of_a_program() {
     let mut desk = Desk::machine();
     for line in ["DIM LV(4)", "DIM $V(3, 20)", "DIM LA(2)", "DIM LA0(10)", "DIM $A(1)", "DIM $A0(5, 8)"] {
