@@ -15,6 +15,10 @@
     reason = "the constants are generated with numbers and names as the guide writes them"
 )]
 
+use std::error::Error;
+use std::fmt;
+use std::str::FromStr;
+
 use crate::{Confidence, OperandClass};
 
 /// What a kind of thing costs.
@@ -47,6 +51,103 @@ impl Cost {
     pub const fn bytes(&self, count: u64, length: u64) -> u64 {
         let each = (self.each as u64).saturating_add((self.character as u64).saturating_mul(length));
         (self.once as u64).saturating_add(count.saturating_mul(each))
+    }
+}
+
+/// A block of system memory: what a `DIM` at the system prompt allocates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SystemBlock {
+    /// Text and variables of a program.
+    Program(u8),
+    /// Text and variables of a PLC program.
+    Plc(u8),
+    /// User parameters.
+    Parameters,
+    /// The alias table.
+    Aliases,
+    /// A communication stream buffer.
+    Stream(Stream),
+}
+
+/// A communication stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stream {
+    /// `COM1`, `COM2`
+    Com(u8),
+    /// `FIFO`
+    Fifo,
+    /// `DPCB`
+    Dpcb,
+    /// `STREAM1` ...
+    Numbered(u8),
+}
+
+impl SystemBlock {
+    /// Bytes of a block whose `DIM` names this size: bytes of spaces and buffers, a count of parameters and aliases.
+    pub const fn bytes(self, size: u64) -> u64 {
+        match self {
+            Self::Parameters => PARAMETERS.bytes(size, 0),
+            Self::Aliases => ALIASES.bytes(size, 0),
+            Self::Program(_) | Self::Plc(_) | Self::Stream(_) => size,
+        }
+    }
+
+    /// The size of a block of so many bytes, as its `DIM` names it.
+    pub const fn size(self, bytes: u32) -> u32 {
+        match self {
+            Self::Parameters => bytes.saturating_sub(PARAMETERS.once) / PARAMETERS.each,
+            Self::Aliases => bytes.saturating_sub(ALIASES.once) / ALIASES.each,
+            Self::Program(_) | Self::Plc(_) | Self::Stream(_) => bytes,
+        }
+    }
+}
+
+/// A name that no block of system memory has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownBlock(String);
+
+impl fmt::Display for UnknownBlock {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is no block of memory: they are PROGn, PLCn, COMn, STREAMn, FIFO, DPCB, P and DEF", self.0)
+    }
+}
+
+impl Error for UnknownBlock {}
+
+/// The name that [`SystemBlock`] shows.
+impl FromStr for SystemBlock {
+    type Err = UnknownBlock;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let digits = name.trim_start_matches(|character: char| character.is_ascii_uppercase());
+        let word = name.strip_suffix(digits).unwrap_or(name);
+        let block = match (word, digits.parse()) {
+            ("PROG", Ok(number)) => Self::Program(number),
+            ("PLC", Ok(number)) => Self::Plc(number),
+            ("COM", Ok(number)) => Self::Stream(Stream::Com(number)),
+            ("STREAM", Ok(number)) => Self::Stream(Stream::Numbered(number)),
+            _ if name == "FIFO" => Self::Stream(Stream::Fifo),
+            _ if name == "DPCB" => Self::Stream(Stream::Dpcb),
+            _ if name == "P" => Self::Parameters,
+            _ if name == "DEF" => Self::Aliases,
+            _ => return Err(UnknownBlock(name.to_owned())),
+        };
+        Ok(block)
+    }
+}
+
+impl fmt::Display for SystemBlock {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Program(number) => write!(f, "PROG{number}"),
+            Self::Plc(number) => write!(f, "PLC{number}"),
+            Self::Parameters => f.write_str("P"),
+            Self::Aliases => f.write_str("DEF"),
+            Self::Stream(Stream::Com(number)) => write!(f, "COM{number}"),
+            Self::Stream(Stream::Fifo) => f.write_str("FIFO"),
+            Self::Stream(Stream::Dpcb) => f.write_str("DPCB"),
+            Self::Stream(Stream::Numbered(number)) => write!(f, "STREAM{number}"),
+        }
     }
 }
 

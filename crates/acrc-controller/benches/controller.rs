@@ -30,6 +30,42 @@ const MOVING: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"A\"\nATTACH S
 /// Waits, mostly.
 const WAITING: &str = "PROG0\nPROGRAM\n_Again\nDWL 0.1\nBIT 32 = NOT BIT 32\nGOTO Again\nENDP\n";
 
+/// Polls an input that never comes, as short as it can be written.
+const POLL: &str = "PROGRAM\nWHILE (BIT10=0) : WEND\nENDP\n";
+
+/// Changes an output four times a second.
+const FLASH: &str = "PROG0\nPROGRAM\n_Again\nBIT 32 = NOT BIT 32\nDWL 0.25\nGOTO Again\nENDP\n";
+
+/// An hour of a controller that waits for something.
+fn idle_projects() -> [(&'static str, String, Vec<u8>); 5] {
+    let space = |number: u8| format!("DIM PROG{number}(500)\n");
+    let poller = |number: u8| format!("PROG{number}\n{POLL}");
+    let plc = |number: u8| {
+        let rung = format!("LD {number}\nAND NOT 10\nOUT {}", 40 + number);
+        format!("SYS\nDIM PLC{number}(500)\nPLC{number}\nPROGRAM\nPBOOT\n{rung}\nENDP\n")
+    };
+    let (spaces, plcs): (String, String) = ((8..16).map(space).collect(), (0..8).map(plc).collect());
+    let (pollers, others): (String, String) = ((0..16).map(poller).collect(), (1..16).map(poller).collect());
+    [
+        ("one poller", format!("PROG0\n{POLL}"), vec![0]),
+        ("16 pollers", format!("SYS\n{spaces}{pollers}"), (0..16).collect()),
+        ("16 pollers and 8 PLC programs", format!("SYS\n{spaces}{plcs}{pollers}"), (0..16).collect()),
+        ("dwells of 10 ms", "PROG0\nPROGRAM\n_Again\nDWL 0.01\nGOTO Again\nENDP\n".to_owned(), vec![0]),
+        ("15 pollers and an output that flashes", format!("SYS\n{spaces}{others}{FLASH}"), (0..16).collect()),
+    ]
+}
+
+/// Not measured by criterion: an hour each, once.
+fn idle_hours() {
+    for (name, text, programs) in idle_projects() {
+        let image = image(&text);
+        let mut controller = Controller::new(image, Options::default()).expect("it loads");
+        let start = Instant::now();
+        controller.run(&programs, 3600.0, &mut Blind { every_tick: false });
+        println!("an hour of {name}: {:.1} ms", start.elapsed().as_secs_f64() * 1000.0);
+    }
+}
+
 /// Sees nothing.
 struct Blind {
     every_tick: bool,
@@ -71,6 +107,7 @@ fn best(image: &Arc<Image>, every_tick: bool) -> Duration {
 }
 
 fn virtual_time(criterion: &mut Criterion) {
+    idle_hours();
     let mut group = criterion.benchmark_group("ten_seconds");
     let runs = [
         ("polling", POLLING, false),

@@ -3,12 +3,12 @@
 //! Stored programs refer to entries by their place, so entries stay; what a name means to statements that are typed from now on is a table of
 //! its own. A name that is defined again gets another entry, and programs that are stored already keep the meaning they were stored with.
 
-use acrc_catalog::memory;
+use acrc_catalog::memory::{ALIASES, SystemBlock};
 use acrc_compile::{Scope, Tables};
 use acrc_image::Alias;
 
 use crate::error::ControllerError;
-use crate::memory::{Block, SystemMemory};
+use crate::memory::SystemMemory;
 
 /// The aliases of a controller.
 #[derive(Clone, Debug, Default)]
@@ -65,9 +65,9 @@ impl Aliases {
             return Ok(());
         }
         let used = self.names.aliases.len() as u64 + u64::from(self.names.alias(&alias.name).is_none());
-        let room = memory.size(Block::Aliases).unwrap_or(0);
-        if memory::ALIASES.bytes(used, 0) > u64::from(room) || self.entries.len() > usize::from(u16::MAX) {
-            return Err(ControllerError::AliasTableFull { name: alias.name, room: alias_count(room) });
+        let room = memory.size(SystemBlock::Aliases).unwrap_or(0);
+        if ALIASES.bytes(used, 0) > u64::from(room) || self.entries.len() > usize::from(u16::MAX) {
+            return Err(ControllerError::AliasTableFull { name: alias.name, room: SystemBlock::Aliases.size(room) });
         }
         self.add(alias);
         Ok(())
@@ -84,9 +84,4 @@ impl Aliases {
         self.names.aliases.insert(alias.name.clone(), place);
         self.entries.push(alias);
     }
-}
-
-/// How many aliases a table of so many bytes holds.
-pub(crate) fn alias_count(bytes: u32) -> u32 {
-    bytes.saturating_sub(memory::ALIASES.once) / memory::ALIASES.each
 }

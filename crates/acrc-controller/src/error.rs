@@ -1,6 +1,7 @@
 //! What the controller refuses, with the texts of the controller where they are known (`docs/fidelity.md`, error texts).
 
 use acrc_catalog::{CommandId, MessageId};
+use acrc_image::UnitName;
 use acrc_vm::FaultKind;
 use thiserror::Error;
 
@@ -35,11 +36,41 @@ pub enum ControllerError {
         /// Bytes left.
         free: u32,
     },
+    /// A stream that the model does not have.
+    #[error("{stream} does not exist: this controller has {}", .streams.join(", "))]
+    NoSuchStream {
+        /// The stream.
+        stream: String,
+        /// Those that there are.
+        streams: &'static [&'static str],
+    },
+    /// Space that `CLEAR` cannot free yet.
+    #[error("{block} has a program: NEW erases it before CLEAR can free its space")]
+    Stored {
+        /// The program.
+        block: String,
+    },
+    /// A rung of a PLC program that does not fit together.
+    #[error("{command} needs {needed} in front of it on its rung")]
+    Rung {
+        /// The command.
+        command: &'static str,
+        /// What it works on.
+        needed: &'static str,
+    },
+    /// A flag that PLC programs cannot use.
+    #[error("BIT{number} is out of reach: PLC programs of this controller use BIT0 to BIT{last}")]
+    PlcFlag {
+        /// Its number.
+        number: i64,
+        /// The last one that they reach.
+        last: u32,
+    },
     /// A program does not fit its space.
-    #[error("program {program} needs {needed} bytes but DIM PROG{program} gives {available}")]
+    #[error("{unit} needs {needed} bytes but DIM {unit} gives {available}")]
     ProgramTooLarge {
         /// The program.
-        program: u8,
+        unit: UnitName,
         /// Bytes of its text.
         needed: u64,
         /// Bytes of its space.

@@ -13,13 +13,14 @@ use crate::axis::{Axis, SlaveSlot};
 use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
-use crate::memory::{Block, SystemMemory};
+use crate::memory::SystemMemory;
 use crate::network::Network;
 use crate::nonvolatile::NonVolatile;
 use crate::registers::Registers;
 use crate::request::Request;
 use crate::settings::Settings;
 use crate::streams::Streams;
+use crate::task::Task;
 use crate::terminal::Terminal;
 use crate::time::Clock;
 use crate::world::World;
@@ -354,8 +355,8 @@ impl Machine {
     }
 
     /// Bytes that a program has for its text and its variables.
-    pub(crate) fn space(&self, program: u8) -> u64 {
-        self.memory.size(Block::Program(program)).map_or(0, u64::from)
+    pub(crate) fn space(&self, task: Task) -> u64 {
+        self.memory.size(task.space()).map_or(0, u64::from)
     }
 
     /// Milliseconds of the free-running clock parameter.

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use acrc_image::UnitName;
+
 use crate::axis::AxisStatistics;
 use crate::master::MasterStatistics;
 use crate::program::State;
@@ -12,8 +14,8 @@ use crate::streams::Port;
 pub struct FaultReport {
     /// Virtual time in seconds.
     pub seconds: f64,
-    /// The program; `None` for setup code.
-    pub program: Option<u8>,
+    /// Which text it happened in.
+    pub unit: UnitName,
     /// Source file, when the image knows it.
     pub file: Option<String>,
     /// Line of the file, or of the stored program when the image has no debug section; from 1.
@@ -26,9 +28,9 @@ pub struct FaultReport {
 
 impl fmt::Display for FaultReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.program {
-            Some(program) => write!(f, "PROG{program}")?,
-            None => f.write_str("setup")?,
+        match self.unit {
+            UnitName::Boot => f.write_str("setup")?,
+            unit => write!(f, "{unit}")?,
         }
         if let Some(file) = &self.file {
             write!(f, " {file}")?;
@@ -40,11 +42,11 @@ impl fmt::Display for FaultReport {
     }
 }
 
-/// State of a program.
+/// State of a program or PLC program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProgramReport {
-    /// Its number.
-    pub program: u8,
+    /// Which it is.
+    pub unit: UnitName,
     /// Where it is in its life.
     pub state: State,
     /// Line of its next statement, from 1; the last one when it has ended.

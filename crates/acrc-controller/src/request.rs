@@ -3,17 +3,26 @@
 use acrc_syntax::units::Level;
 
 use crate::nonvolatile::Operation;
+use crate::task::Task;
 use crate::terminal::ChannelId;
 
 /// What a program asks of the scheduler; carried out when its statement is over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Request {
-    Run(u8),
-    Halt(u8),
+    Run(Task),
+    Halt(Task),
     Pause(u8),
     Resume(u8),
     /// Erase the text of a program.
-    New(u8),
+    New(Task),
+    /// Start everything that begins with `PBOOT`.
+    Boot,
+    /// Turn block mode of a program on or off.
+    Block(u8, bool),
+    /// Execute the next line of a program in block mode.
+    Step(u8),
+    /// Turn the trace of a program's lines on or off.
+    Trace(u8, bool),
     /// Give the memory of all variables back (`CLEAR` at the system prompt).
     ClearAllLocals,
     /// Install stored text: index into the image's programs.

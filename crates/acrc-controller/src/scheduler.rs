@@ -62,15 +62,37 @@ impl Scheduler {
         }
     }
 
-    /// Gives out `slices` slices at once, none of which any program uses.
-    pub(crate) fn skip(&mut self, slices: u64, running: &[bool]) {
-        let low = running.iter().skip(HIGH_PROGRAMS).any(|running| *running);
-        let ring = running.iter().take(HIGH_PROGRAMS).filter(|running| **running).count() + 1 + usize::from(low);
-        // The first round may begin beside the ring, where a program has just ended; every further round is like the one before.
-        let ring = ring as u64;
-        let given = if slices < ring { slices } else { ring + slices % ring };
-        for _ in 0..given {
-            self.next(running);
+    /// Gives out `slices` slices at once, and says how many each program has got. Those that wait keep the shared slice, as
+    /// they do when they are asked one by one.
+    pub(crate) fn skip(&mut self, slices: u64, running: &[bool], waiting: &[bool]) -> Vec<u64> {
+        let mut given = vec![0; running.len()];
+        let low = running.iter().skip(HIGH_PROGRAMS).filter(|running| **running).count();
+        let ring = running.iter().take(HIGH_PROGRAMS).filter(|running| **running).count() + 1 + low.min(1);
+        // Slices after which everybody has had as many as in the rounds before. The first rounds may differ: they begin beside the ring where a
+        // program has just ended, and the shared slice may only now come to a program that keeps it.
+        let period = (ring * low.max(1)) as u64;
+        if slices < 3 * period {
+            self.give(slices, running, waiting, &mut given);
+            return given;
+        }
+        self.give(period, running, waiting, &mut given);
+        let mut each = vec![0; running.len()];
+        self.give(period, running, waiting, &mut each);
+        let periods = (slices - period) / period;
+        for (given, each) in given.iter_mut().zip(each) {
+            *given += each * periods;
+        }
+        self.give((slices - period) % period, running, waiting, &mut given);
+        given
+    }
+
+    fn give(&mut self, slices: u64, running: &[bool], waiting: &[bool], given: &mut [u64]) {
+        for _ in 0..slices {
+            let Some(program) = self.next(running) else { continue };
+            given[program] += 1;
+            if !waiting[program] {
+                self.pass_on(program, running.len());
+            }
         }
     }
 }
@@ -116,15 +138,22 @@ mod tests {
 
     #[test]
     fn skipping_slices_equals_giving_them_out() {
-        for programs in [&[][..], &[0], &[0, 1, 5], &[9], &[2, 8, 15]] {
-            let running = running(programs);
-            for count in 0..40 {
+        for (programs, waiting) in [
+            (&[][..], &[][..]),
+            (&[0], &[0]),
+            (&[0, 1, 5], &[1]),
+            (&[9], &[9]),
+            (&[2, 8, 15], &[8, 15]),
+            (&[2, 8, 9, 15], &[2]),
+            (&[8, 9, 15], &[15]),
+        ] {
+            let (running, waiting) = (self::running(programs), self::running(waiting));
+            for count in 0..80 {
                 let mut stepped = Scheduler::new();
                 let mut skipped = Scheduler::new();
-                for _ in 0..count {
-                    stepped.next(&running);
-                }
-                skipped.skip(count, &running);
+                let mut given = vec![0; 16];
+                stepped.give(count, &running, &waiting, &mut given);
+                assert_eq!(skipped.skip(count, &running, &waiting), given, "{programs:?} {count}");
                 assert_eq!((stepped.slot, stepped.low), (skipped.slot, skipped.low), "{programs:?} {count}");
             }
         }

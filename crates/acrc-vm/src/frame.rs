@@ -37,6 +37,11 @@ pub(crate) struct LoopState {
 }
 
 impl LoopState {
+    /// All of it, to be compared.
+    pub(crate) fn bits(&self) -> (u64, u64, i64, i64) {
+        (self.end.to_bits(), self.step.to_bits(), self.end_long, self.step_long)
+    }
+
     /// Starts the loop.
     pub(crate) fn begin(&mut self, end: f64, step: f64, whole: bool) -> Result<(), FaultKind> {
         // A long counter moves by whole numbers only.

@@ -69,6 +69,7 @@ mod op;
 mod own;
 mod plan;
 mod run;
+mod snapshot;
 mod text;
 mod value;
 
@@ -81,5 +82,6 @@ pub use load::{LoadError, LoadErrorKind, LoadOptions};
 pub use locals::{Dimension, Locals, LocalsImage, RestoreError, TextsImage};
 pub use own::executes;
 pub use run::{Budget, Run, Stop, input_fits, run};
+pub use snapshot::Snapshot;
 pub use text::Text;
 pub use value::{Value, double_to_long};

@@ -327,3 +327,29 @@ fn aliases_are_defined_before_what_they_name_exists() {
     assert_eq!(report["faults"], json!([]));
     assert_eq!(report["output"][0]["text"], "30");
 }
+
+#[test]
+fn plc_programs_scan_beside_the_programs() {
+    let bench = Bench::new();
+    bench.file("acrc.toml", "[sim]\nrun = [\"PROG0\", \"PLC1\"]\n");
+    bench.file("Setup.8K", "SYS\nDIM PLC0(200)\nDIM PLC1(200)\n");
+    bench.file("Prog0.8K", "PROGRAM\nSET 128\nINH 40\nPRINT \"timer\"\nINH 41\nPRINT \"both\"\nENDP\n");
+    bench.file("PLC0.8K", "PROGRAM\nPBOOT\nLD 128\nTIM 0 500\nOUT 40\nENDP\n");
+    bench.file("PLC1.8K", "PROGRAM\nLD 40\nOUT 41\nENDP\n");
+    let report = bench.sim(".");
+    let texts: Vec<_> = report["output"].as_array().expect("lines").iter().map(|line| &line["text"]).collect();
+    assert_eq!(texts, ["timer", "both"]);
+    let programs: Vec<_> = report["programs"].as_array().expect("programs").iter().map(|row| &row["program"]).collect();
+    assert_eq!(programs, ["PROG0", "PLC0", "PLC1"]);
+    assert_eq!(report["programs"][1]["state"], "running");
+    assert!(report["virtual_seconds"].as_f64().expect("a number") < 0.6, "nothing keeps the run going");
+}
+
+#[test]
+fn a_plc_program_without_text_is_not_started() {
+    let bench = Bench::new();
+    bench.file("acrc.toml", "[sim]\nrun = [\"PLC1\"]\n");
+    bench.file("Prog0.8K", "PROGRAM\nPBOOT\nSET 128\nENDP\n");
+    let run = bench.acrc(["sim", "."]).expect(2);
+    assert!(run.stderr.contains("PLC1 has no text, so it cannot be started"), "{}", run.stderr);
+}

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use acrc_catalog::memory::LocalBlock;
+use acrc_catalog::memory::{LocalBlock, Stream, SystemBlock};
 use acrc_catalog::{CommandId, Keyword, ObjectKind, OperandClass, command};
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Argument, Command, Dim, Expr, ExprKind, Separator, Statement, StatementKind};
@@ -72,34 +72,6 @@ pub enum Block {
     Moves,
 }
 
-/// A block of system memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SystemBlock {
-    /// Text and variables of a program.
-    Program(u8),
-    /// Text and variables of a PLC program.
-    Plc(u8),
-    /// User parameters.
-    Parameters,
-    /// The alias table.
-    Aliases,
-    /// A communication stream buffer.
-    Stream(Stream),
-}
-
-/// A communication stream.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Stream {
-    /// `COM1`, `COM2`
-    Com(u8),
-    /// `FIFO`
-    Fifo,
-    /// `DPCB`
-    Dpcb,
-    /// `STREAM1` ...
-    Numbered(u8),
-}
-
 /// The numbers of a `DIM`, where they are written as numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -120,29 +92,12 @@ impl fmt::Display for Block {
     }
 }
 
-impl fmt::Display for SystemBlock {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Program(number) => write!(f, "PROG{number}"),
-            Self::Plc(number) => write!(f, "PLC{number}"),
-            Self::Parameters => f.write_str("P"),
-            Self::Aliases => f.write_str("DEF"),
-            Self::Stream(Stream::Com(number)) => write!(f, "COM{number}"),
-            Self::Stream(Stream::Fifo) => f.write_str("FIFO"),
-            Self::Stream(Stream::Dpcb) => f.write_str("DPCB"),
-            Self::Stream(Stream::Numbered(number)) => write!(f, "STREAM{number}"),
-        }
-    }
-}
-
-impl SystemBlock {
-    /// The space of a program. `None` for the system.
-    pub fn of_level(level: Level) -> Option<Self> {
-        match level {
-            Level::System => None,
-            Level::Program(number) => Some(Self::Program(number)),
-            Level::Plc(number) => Some(Self::Plc(number)),
-        }
+/// The space of a program. `None` for the system.
+pub fn space_of(level: Level) -> Option<SystemBlock> {
+    match level {
+        Level::System => None,
+        Level::Program(number) => Some(SystemBlock::Program(number)),
+        Level::Plc(number) => Some(SystemBlock::Plc(number)),
     }
 }
 

@@ -1,9 +1,10 @@
 //! The `DIM` statements that give exactly what is needed.
 
+use acrc_catalog::memory::SystemBlock;
+
 use super::calls::Calls;
-use super::events::SystemBlock;
+use super::events::space_of;
 use super::report::{Parameters, ProgramReport, Report};
-use super::state::system_bytes;
 
 impl Report {
     /// The `DIM` statements of the system that fit exactly, each with what it leaves open.
@@ -37,7 +38,7 @@ pub struct Exact {
 impl Exact {
     /// Bytes of system memory that it takes.
     pub fn bytes(&self) -> u64 {
-        system_bytes(self.block, self.count)
+        self.block.bytes(self.count)
     }
 }
 
@@ -47,6 +48,6 @@ impl ProgramReport {
             Calls::Recursive => Some("a subroutine calls itself: 4 bytes more for each level"),
             Calls::Depth(_) => self.is_open().then_some("and what it computes the size of"),
         };
-        Some(Exact { block: SystemBlock::of_level(self.level)?, count: self.needed(), open })
+        Some(Exact { block: space_of(self.level)?, count: self.needed(), open })
     }
 }

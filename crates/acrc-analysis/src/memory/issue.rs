@@ -1,10 +1,11 @@
 //! What does not fit, and where.
 
 use acrc_catalog::OperandClass;
+use acrc_catalog::memory::SystemBlock;
 use acrc_syntax::units::Level;
 
 use super::calls::Calls;
-use super::events::{Block, SystemBlock};
+use super::events::Block;
 
 /// Something that does not fit.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -24,9 +24,9 @@ mod state;
 mod text;
 mod view;
 
-pub use acrc_catalog::memory::LocalBlock;
+pub use acrc_catalog::memory::{LocalBlock, Stream, SystemBlock};
 pub use calls::Calls;
-pub use events::{Block, Event, EventKind, MemoryEvents, MemorySites, Size, Stream, SystemBlock, local_class};
+pub use events::{Block, Event, EventKind, MemoryEvents, MemorySites, Size, local_class, space_of};
 pub use exact::Exact;
 pub use grouped::grouped;
 pub use issue::{Issue, IssueKind, Site, Space, Spare};

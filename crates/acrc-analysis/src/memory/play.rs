@@ -6,13 +6,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use acrc_catalog::Model;
-use acrc_catalog::memory::{self, LocalBlock};
+use acrc_catalog::memory::{self, LocalBlock, SystemBlock};
 use acrc_syntax::units::Level;
 
-use super::events::{Block, Event, EventKind, MemoryEvents, Size, SystemBlock};
+use super::events::{Block, Event, EventKind, MemoryEvents, Size, space_of};
 use super::issue::{Issue, IssueKind, Site, Space, Spare};
 use super::locals::{Extent, LocalDims};
-use super::state::{LocalState, Slot, factory, forget, local_bytes, system_bytes};
+use super::state::{LocalState, Slot, factory, forget, local_bytes};
 use super::text::SectionBytes;
 use crate::Symbols;
 use crate::index::Sequence;
@@ -210,7 +210,7 @@ impl Player {
             }
             _ => {}
         }
-        let bytes = size.count.filter(|_| event.certain).map(|count| system_bytes(block, count));
+        let bytes = size.count.filter(|_| event.certain).map(|count| block.bytes(count));
         let others = self.result.system.iter().filter(|(other, _)| **other != block);
         let used: u64 = others.filter_map(|(_, slot)| slot.bytes).sum();
         let free = self.total.saturating_sub(used);
@@ -247,7 +247,7 @@ impl Player {
 
     /// Checks that a text fits the space of its program, with variables beside it.
     fn install(&mut self, part: &Part<'_>, file: u32, section: u32, level: Level, variables: u64) -> Option<IssueKind> {
-        let slot = self.result.system.get(&SystemBlock::of_level(level)?).copied();
+        let slot = self.result.system.get(&space_of(level)?).copied();
         let space = Slot::space(slot.as_ref())?;
         let bound = part.events.bounds.get(section as usize).map_or(0, |bound| bound.0);
         if bound.saturating_add(variables) <= space.bytes() {
@@ -336,7 +336,7 @@ impl Player {
 
     /// One of the texts of a program needs so many bytes at most.
     fn need(&mut self, level: Level, bytes: Option<u64>) {
-        if let Some(block) = SystemBlock::of_level(level) {
+        if let Some(block) = space_of(level) {
             let known = self.needs.entry(block).or_insert(Some(0));
             *known = known.zip(bytes).map(|(known, bytes)| known.max(bytes));
         }

@@ -3,13 +3,13 @@
 
 use std::collections::BTreeMap;
 
-use acrc_catalog::memory::LocalBlock;
+use acrc_catalog::memory::{LocalBlock, SystemBlock};
 use acrc_catalog::{Model, OperandClass, command};
 use acrc_image::{Image, ImageError, Instruction, Node, TextCost, Unit, UnitName};
 use acrc_syntax::units::Level;
 
 use super::calls::{self, Calls};
-use super::events::{Block, Event, EventKind, Size, SystemBlock};
+use super::events::{Block, Event, EventKind, Size, space_of};
 use super::issue::{Issue, IssueKind, Site, Space};
 use super::play::ProjectMemory;
 use super::query::{memory_events, memory_sites, project_memory};
@@ -261,7 +261,7 @@ fn program_report(
             events.filter(|event| event.sequence == Sequence::Stored(*section)).for_each(|event| running.play(event));
         }
     }
-    let slot = SystemBlock::of_level(level).and_then(|block| memory.system.get(&block));
+    let slot = space_of(level).and_then(|block| memory.system.get(&block));
     let space = Slot::space(slot);
     Ok(ProgramReport {
         level,

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Model, memory};
 
-use super::events::{Block, Size, SystemBlock};
+use super::events::{Block, Size};
 use super::issue::Space;
 
 /// System memory of a block.
@@ -75,13 +76,4 @@ pub(super) fn factory(model: &Model) -> BTreeMap<SystemBlock, Slot> {
     let share = u64::from(memory::FACTORY_SHARE);
     let slot = Slot { bytes: Some(share), count: Some(share), by: None };
     (0..memory::FACTORY_PROGRAMS.min(model.programs)).map(|program| (SystemBlock::Program(program), slot)).collect()
-}
-
-/// Bytes of a block of the system, by the number of its `DIM`.
-pub(super) fn system_bytes(block: SystemBlock, count: u64) -> u64 {
-    match block {
-        SystemBlock::Parameters => memory::PARAMETERS.bytes(count, 0),
-        SystemBlock::Aliases => memory::ALIASES.bytes(count, 0),
-        SystemBlock::Program(_) | SystemBlock::Plc(_) | SystemBlock::Stream(_) => count,
-    }
 }

@@ -1,13 +1,14 @@
 //! Character input and output (guide, "Character I/O").
 
 use acrc_catalog::command;
-use acrc_image::Mark;
+use acrc_image::{Mark, UnitName};
 use acrc_syntax::units::Level;
 use acrc_vm::{Arg, Call, Outcome, Text, Value, format, input_fits};
 
 use super::{Action, Context, Entry};
 use crate::controller::{Observer, Sent};
 use crate::error::ControllerError;
+use crate::footprint::Places;
 use crate::machine::Machine;
 use crate::request::Origin;
 use crate::streams::{Device, DeviceError, Port, device_stream};
@@ -58,6 +59,8 @@ fn input(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
         if !(fits && stays) {
             context.output(number, NEW_LINE);
         }
+        // The line is gone for whoever else reads there.
+        context.footprint.write(Places::ALL);
         if fits {
             return Ok(Outcome::Input(Text::from(line)));
         }
@@ -122,9 +125,10 @@ pub(crate) fn deliver(machine: &mut Machine, observer: &mut dyn Observer, origin
         machine.terminal.send(channel, bytes);
         return;
     }
-    let program = match origin.level {
-        Level::Program(number) => Some(number),
-        Level::System | Level::Plc(_) => None,
+    let (unit, program) = match origin.level {
+        Level::Program(number) => (UnitName::Program(number), Some(number)),
+        Level::Plc(number) => (UnitName::Plc(number), None),
+        Level::System => (UnitName::Boot, None),
     };
     let owner = program.filter(|_| !origin.immediate);
     let stream = Device::of(device, owner).and_then(|device| machine.streams.stream(device));
@@ -138,7 +142,7 @@ pub(crate) fn deliver(machine: &mut Machine, observer: &mut dyn Observer, origin
         }
     }
     let text: String = bytes.iter().map(|byte| char::from(*byte)).collect();
-    observer.output(&Sent { seconds: machine.clock.seconds(), program, device, stream, text: &text });
+    observer.output(&Sent { seconds: machine.clock.seconds(), unit, device, stream, text: &text });
 }
 
 impl Machine {

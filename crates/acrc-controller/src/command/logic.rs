@@ -1,16 +1,16 @@
 //! Waiting, and bits of a parameter (guide, "Logic Function", "Other Conditional Statements").
 
 use acrc_catalog::{command, law};
-use acrc_vm::{Arg, Call, Outcome, Reference, Value};
+use acrc_vm::{Arg, Call, Host, Outcome, Reference, Value};
 
 use super::arguments::{real, scalar};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
-use crate::program::Watch;
+use crate::program::Alarm;
 
 pub(super) const COMMANDS: &[Entry] = &[
-    (command::INH, Action::Run(inhibit)),
-    (command::IHPOS, Action::Run(inhibit_on_position)),
+    (command::INH, Action::Precise(inhibit)),
+    (command::IHPOS, Action::Precise(inhibit_on_position)),
     (command::DWL, Action::Run(dwell)),
     (command::MASK, Action::Run(mask)),
 ];
@@ -29,7 +29,7 @@ fn bit(call: &Call) -> Result<(i64, bool), ControllerError> {
 fn inhibit(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let (index, negative) = bit(call)?;
     let waited_for = !negative;
-    Ok(if context.machine.read_bit(index)? == waited_for { Outcome::Done } else { Outcome::Again })
+    Ok(if context.read_flag(index)? == waited_for { Outcome::Done } else { Outcome::Again })
 }
 
 /// `DWL`: the tick of its end is fixed when it begins.
@@ -69,19 +69,19 @@ fn inhibit_on_position(context: &mut Context, call: &Call) -> Result<Outcome, Co
             let problem = format!("a timeout of {timeout} seconds is not possible");
             return Err(ControllerError::BadValue { command, problem });
         }
-        context.watch.timeout = (timeout > 0.0).then(|| clock.ticks() + clock.tick_at(timeout));
+        context.alarm.timeout = (timeout > 0.0).then(|| clock.ticks() + clock.tick_at(timeout));
     }
-    let value = real(command, &context.machine.read_parameter(number)?)?;
+    let value = real(command, &context.parameter(number).map_err(ControllerError::Program)?)?;
     let passed = if negative { value < setpoint } else { value > setpoint };
-    let over = context.watch.timeout.is_some_and(|tick| clock.ticks() >= tick);
+    let over = context.alarm.timeout.is_some_and(|tick| clock.ticks() >= tick);
     if passed || over {
-        *context.watch = Watch::default();
+        *context.alarm = Alarm::default();
         return Ok(Outcome::Done);
     }
     if number == i64::from(law::CLOCK_MS.at(0)) && !negative {
         // A little early at most: it looks again then.
         let wait = clock.tick_at((setpoint - value).clamp(0.0, LONGEST_DWELL * 1000.0) / 1000.0);
-        context.watch.look = Some(clock.ticks() + wait.max(1));
+        context.alarm.look = Some(clock.ticks() + wait.max(1));
     }
     Ok(Outcome::Again)
 }

@@ -7,6 +7,7 @@ mod attach;
 mod axis;
 mod channel;
 mod io;
+mod ladder;
 mod logic;
 mod moves;
 mod nonvolatile;
@@ -20,13 +21,16 @@ mod typed;
 use std::sync::LazyLock;
 
 use acrc_catalog::{CommandId, all_commands};
+use acrc_image::UnitName;
 use acrc_syntax::units::Level;
 use acrc_vm::{Call, Outcome};
 
 use crate::controller::{Observer, Pace};
 use crate::error::ControllerError;
+use crate::footprint::{Footprint, Places};
 use crate::machine::Machine;
-use crate::program::Watch;
+use crate::plc::Ladder;
+use crate::program::Alarm;
 use crate::request::{Origin, Query, Request};
 use crate::terminal::ChannelId;
 
@@ -37,13 +41,17 @@ pub(crate) struct Context<'a> {
     pub(crate) machine: &'a mut Machine,
     /// The program that executes the command; `None` for setup code at the system prompt.
     pub(crate) program: Option<u8>,
+    /// The rungs of the PLC program that executes the command.
+    pub(crate) ladder: Option<&'a mut Ladder>,
     /// Tick at which the held command of this program goes on (`DWL`).
     pub(crate) release: &'a mut Option<u64>,
     /// When the held command of this program looks again by itself (`IHPOS`).
-    pub(crate) watch: &'a mut Watch,
+    pub(crate) alarm: &'a mut Alarm,
     pub(crate) observer: &'a mut dyn Observer,
     /// When the lines of the program are executed.
     pub(crate) pace: Pace,
+    /// What has been touched.
+    pub(crate) footprint: Footprint,
     /// The command is typed or setup code, not part of a running program.
     pub(crate) immediate: bool,
     /// The channel at which it was typed.
@@ -59,6 +67,8 @@ enum Action {
     Run(Handler),
     /// It answers, whatever stands behind it.
     Answer(fn(&mut Context)),
+    /// By a function that keeps the account of what it reads and changes ([`Footprint`]) itself.
+    Precise(Handler),
     /// It only matters to the real controller (saving, communication): nothing to do in a dry run.
     Nothing,
 }
@@ -72,6 +82,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         axis::COMMANDS,
         channel::COMMANDS,
         io::COMMANDS,
+        ladder::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,
         nonvolatile::COMMANDS,
@@ -110,11 +121,19 @@ impl Context<'_> {
             typed::admit(call, self.machine.level)?;
         }
         let done = match action(call.command) {
-            Some(Action::Run(handler)) => handler(self, call),
+            Some(Action::Run(handler)) => handler(self, call).inspect(|outcome| {
+                if *outcome == Outcome::Again {
+                    self.footprint.reads |= Places::MACHINE;
+                } else {
+                    self.footprint.write(Places::ALL);
+                }
+            }),
             Some(Action::Answer(answer)) => {
                 answer(self);
+                self.footprint.write(Places::ALL);
                 Ok(Outcome::Done)
             }
+            Some(Action::Precise(handler)) => handler(self, call),
             Some(Action::Nothing) => Ok(Outcome::Done),
             None => Err(ControllerError::NotSimulated(call.command)),
         };
@@ -129,9 +148,21 @@ impl Context<'_> {
 
     /// Who gave the command.
     fn origin(&self) -> Origin {
-        let level =
-            if self.immediate { self.machine.level } else { self.program.map_or(Level::System, Level::Program) };
+        let level = match (self.unit(), self.immediate) {
+            (_, true) | (UnitName::Boot, _) => self.machine.level,
+            (UnitName::Program(number), false) => Level::Program(number),
+            (UnitName::Plc(number), false) => Level::Plc(number),
+        };
         Origin { level, channel: self.channel, immediate: self.immediate }
+    }
+
+    /// The text that executes the command.
+    fn unit(&self) -> UnitName {
+        match (&self.ladder, self.program) {
+            (Some(ladder), _) => UnitName::Plc(ladder.number()),
+            (None, Some(program)) => UnitName::Program(program),
+            (None, None) => UnitName::Boot,
+        }
     }
 
     /// The program, for commands that need one.

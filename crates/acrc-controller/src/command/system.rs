@@ -1,6 +1,7 @@
 //! Levels, memory and program control (guide, "Operating System", "Memory Control", "Program Control").
 
-use acrc_catalog::{CommandId, Keyword, Model, ObjectKind, command};
+use acrc_catalog::memory::{Stream, SystemBlock};
+use acrc_catalog::{CommandId, Keyword, ObjectKind, command};
 use acrc_syntax::units::Level;
 use acrc_vm::{Arg, Call, Outcome};
 
@@ -8,9 +9,8 @@ use super::arguments::{real, scalar};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
 use crate::machine::Machine;
-use crate::memory::Block;
 use crate::request::{Query, Request};
-use crate::terminal::StreamName;
+use crate::task::Task;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::SYS, Action::Run(level)),
@@ -27,6 +27,11 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::PAUSE, Action::Run(control)),
     (command::RESUME, Action::Run(control)),
     (command::NEW, Action::Run(control)),
+    (command::BLK, Action::Run(control)),
+    (command::AUT, Action::Run(control)),
+    (command::STEP, Action::Run(control)),
+    (command::TRON, Action::Run(control)),
+    (command::TROFF, Action::Run(control)),
     (command::CLEAR, Action::Run(clear)),
     (command::DIM_PROG, Action::Run(dimension)),
     (command::DIM_PLC, Action::Run(dimension)),
@@ -43,7 +48,7 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::CLEAR_DPCB, Action::Run(clear_stream)),
     (command::CLEAR_STREAM, Action::Run(clear_stream)),
     (command::PERIOD, Action::Run(period)),
-    (command::PBOOT, Action::Nothing),
+    (command::PBOOT, Action::Run(control)),
     (command::REM, Action::Nothing),
 ];
 
@@ -72,22 +77,34 @@ fn install(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
     Ok(Outcome::Done)
 }
 
-/// `RUN`, `HALT`, ... of the named programs, of all, or of the one at the prompt.
+/// `RUN`, `HALT`, ... of the named programs, of all, or of the one at the prompt; `PBOOT` typed at a prompt starts all that begin with it.
 fn control(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    let request = match call.command {
-        command::HALT => Request::Halt,
-        command::PAUSE => Request::Pause,
-        command::RESUME => Request::Resume,
-        command::NEW => Request::New,
-        _ => Request::Run,
-    };
-    let programs = context.programs(call)?;
-    let itself = !context.immediate && context.program.is_some_and(|program| programs.contains(&program));
+    if call.command == command::PBOOT {
+        context.machine.requests.push(Request::Boot);
+        return Ok(Outcome::Done);
+    }
+    let tasks = context.tasks(call)?;
+    let itself = !context.immediate && context.task().is_some_and(|task| tasks.contains(&task));
     if itself && call.command == command::PAUSE && !call.first {
         // It was paused here, and goes on.
         return Ok(Outcome::Done);
     }
-    context.machine.requests.extend(programs.into_iter().map(request));
+    for task in tasks {
+        let request = match (call.command, task) {
+            (command::RUN | command::LRUN, _) => Request::Run(task),
+            (command::HALT, _) => Request::Halt(task),
+            (command::NEW, _) => Request::New(task),
+            (_, Task::Plc(_)) => return Err(only_programs(call.command)),
+            (command::PAUSE, Task::Program(program)) => Request::Pause(program),
+            (command::RESUME, Task::Program(program)) => Request::Resume(program),
+            (command::BLK | command::AUT, Task::Program(program)) => {
+                Request::Block(program, call.command == command::BLK)
+            }
+            (command::STEP, Task::Program(program)) => Request::Step(program),
+            (_, Task::Program(program)) => Request::Trace(program, call.command == command::TRON),
+        };
+        context.machine.requests.push(request);
+    }
     Ok(match call.command {
         command::HALT | command::NEW if itself => Outcome::End,
         command::PAUSE if itself => Outcome::Again,
@@ -97,32 +114,27 @@ fn control(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
 
 /// `LRUN` and `LISTEN` show the output of a program at the channel that typed them. In a program and in setup code nobody listens.
 fn listen(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    let &[program] = &context.programs(call)?[..] else {
+    let &[task] = &context.tasks(call)?[..] else {
         return Err(ControllerError::Expected { command: call.command.info().name, expected: "one program" });
     };
+    // Nobody listens to a PLC program, which has no device 0.
     let channel = context.channel.and_then(|id| context.machine.terminal.get_mut(id));
-    if let Some(channel) = channel {
+    if let (Some(channel), Task::Program(program)) = (channel, task) {
         channel.listening = Some(program);
     }
     if call.command == command::LRUN { control(context, call) } else { Ok(Outcome::Done) }
 }
 
 /// `CLEAR` at the system prompt frees all system memory, at a program prompt the program's variables.
-fn clear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    match (context.program, context.machine.level) {
-        (None, Level::System) => {
-            context.machine.memory.clear();
-            if context.channel.is_some() {
-                context.machine.requests.push(Request::ForgetAliases);
-            }
-            context.machine.requests.push(Request::ClearAllLocals);
+fn clear(context: &mut Context, _: &Call) -> Result<Outcome, ControllerError> {
+    if context.task().is_none() {
+        context.machine.memory.clear()?;
+        if context.channel.is_some() {
+            context.machine.requests.push(Request::ForgetAliases);
         }
-        // The VM clears the variables of the program.
-        (Some(_), _) => {}
-        (None, level) => {
-            return Err(ControllerError::WrongLevel { command: call.command.info().name, level: level.to_string() });
-        }
+        context.machine.requests.push(Request::ClearAllLocals);
     }
+    // The VM clears the variables of the program.
     Ok(Outcome::Done)
 }
 
@@ -132,60 +144,55 @@ fn dimension(context: &mut Context, call: &Call) -> Result<Outcome, ControllerEr
         context.ask(Query::Dimensions);
         return Ok(Outcome::Done);
     }
-    if context.program.is_some() {
-        return Err(ControllerError::WrongLevel { command, level: "program".to_owned() });
+    context.system_level(call)?;
+    let mut numbers = Vec::new();
+    for argument in call.arguments {
+        match argument {
+            Arg::Value(value, _) => numbers.push(real(command, value)? as i64),
+            _ => return Err(ControllerError::Expected { command, expected: "sizes" }),
+        }
     }
-    let numbers = whole_numbers(call)?;
     let model = context.machine.model;
     let (block, size) = match (call.command, &numbers[..]) {
-        (command::DIM_P, [count]) => (Block::Parameters, *count),
-        (command::DIM_DEF, [count]) => (Block::Aliases, *count),
-        (command::DIM_PROG, [index, size]) => (Block::Program(Machine::object("PROG", *index, model.programs)?), *size),
-        (command::DIM_PLC, [index, size]) => (Block::Plc(Machine::object("PLC", *index, model.plcs)?), *size),
-        (_, [.., size]) if let Some(stream) = stream(model, call.command, &numbers)? => (Block::Stream(stream), *size),
+        (command::DIM_P, [count]) => (SystemBlock::Parameters, *count),
+        (command::DIM_DEF, [count]) => (SystemBlock::Aliases, *count),
+        (command::DIM_PROG, [index, size]) => {
+            (SystemBlock::Program(Machine::object("PROG", *index, model.programs)?), *size)
+        }
+        (command::DIM_PLC, [index, size]) => (SystemBlock::Plc(Machine::object("PLC", *index, model.plcs)?), *size),
+        (_, [size]) => (stream_block(context.machine, call.command, 0)?, *size),
+        (_, [index, size]) => (stream_block(context.machine, call.command, *index)?, *size),
         _ => return Err(ControllerError::Expected { command, expected: "a size" }),
     };
     context.machine.memory.dimension(block, size)?;
     Ok(Outcome::Done)
 }
 
-/// `CLEAR COM1` and the like: the buffer of a stream is what the factory makes it.
+/// `CLEAR COM1` and its like: the buffer has its 256 bytes of the factory again, which count for nothing.
 fn clear_stream(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    let command = call.command.info().name;
-    if context.program.is_some() {
-        return Err(ControllerError::WrongLevel { command, level: "program".to_owned() });
-    }
-    if let Some(stream) = stream(context.machine.model, call.command, &whole_numbers(call)?)? {
-        context.machine.memory.clear_stream(stream);
-    }
+    context.system_level(call)?;
+    let index = scalar(call)?.unwrap_or(0.0) as i64;
+    let block = stream_block(context.machine, call.command, index)?;
+    context.machine.memory.free_block(block);
     Ok(Outcome::Done)
 }
 
-/// The stream that a command is about, if it is about one; the model must have it.
-fn stream(model: &'static Model, command: CommandId, numbers: &[i64]) -> Result<Option<StreamName>, ControllerError> {
+/// The buffer of the stream that a `DIM` or `CLEAR` is about.
+fn stream_block(machine: &Machine, command: CommandId, index: i64) -> Result<SystemBlock, ControllerError> {
     let stream = match command {
-        command::DIM_COM1 | command::CLEAR_COM1 => StreamName::Com(1),
-        command::DIM_COM2 | command::CLEAR_COM2 => StreamName::Com(2),
-        command::DIM_FIFO | command::CLEAR_FIFO => StreamName::Fifo,
-        command::DIM_DPCB | command::CLEAR_DPCB => StreamName::DualPort,
-        command::DIM_STREAM | command::CLEAR_STREAM => {
-            let index = numbers.first().copied().unwrap_or(-1);
-            StreamName::Stream(u8::try_from(index).unwrap_or(u8::MAX))
-        }
-        _ => return Ok(None),
+        command::DIM_COM1 | command::CLEAR_COM1 => Stream::Com(1),
+        command::DIM_COM2 | command::CLEAR_COM2 => Stream::Com(2),
+        command::DIM_FIFO | command::CLEAR_FIFO => Stream::Fifo,
+        command::DIM_DPCB | command::CLEAR_DPCB => Stream::Dpcb,
+        _ => Stream::Numbered(u8::try_from(index).unwrap_or(u8::MAX)),
     };
-    stream.check(model).map_err(|error| ControllerError::Device(error.into()))?;
-    Ok(Some(stream))
-}
-
-/// The numbers behind a command.
-fn whole_numbers(call: &Call) -> Result<Vec<i64>, ControllerError> {
-    let command = call.command.info().name;
-    let number = |argument: &Arg| match argument {
-        Arg::Value(value, _) => Ok(real(command, value)? as i64),
-        _ => Err(ControllerError::Expected { command, expected: "sizes" }),
-    };
-    call.arguments.iter().map(number).collect()
+    let block = SystemBlock::Stream(stream);
+    let (name, streams) = (block.to_string(), machine.model.streams);
+    if streams.contains(&name.as_str()) {
+        Ok(block)
+    } else {
+        Err(ControllerError::NoSuchStream { stream: name, streams })
+    }
 }
 
 /// `PERIOD` sets the servo period; a run keeps the one it started with.
@@ -212,34 +219,65 @@ fn period(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
 }
 
 impl Context<'_> {
-    /// The programs that a control command means.
-    fn programs(&self, call: &Call) -> Result<Vec<u8>, ControllerError> {
-        let count = self.machine.model.programs;
-        if call.arguments.is_empty() {
-            return Ok(vec![self.program(call)?]);
+    /// What executes the command; at a prompt, what the prompt belongs to.
+    fn task(&self) -> Option<Task> {
+        match (&self.ladder, self.program, self.machine.level) {
+            (Some(ladder), ..) => Some(Task::Plc(ladder.number())),
+            (None, Some(program), _) => Some(Task::Program(program)),
+            (None, None, Level::Plc(number)) if self.immediate => Some(Task::Plc(number)),
+            (None, None, _) => None,
         }
-        let mut programs = Vec::new();
+    }
+
+    /// Refuses a command that belongs to the system prompt anywhere else.
+    fn system_level(&self, call: &Call) -> Result<(), ControllerError> {
+        let level = match self.task() {
+            None => return Ok(()),
+            Some(Task::Program(_)) => "program",
+            Some(Task::Plc(_)) => "PLC",
+        };
+        Err(ControllerError::WrongLevel { command: call.command.info().name, level: level.to_owned() })
+    }
+
+    /// The programs that a control command means.
+    fn tasks(&self, call: &Call) -> Result<Vec<Task>, ControllerError> {
+        let command = call.command.info().name;
+        let model = self.machine.model;
+        if call.arguments.is_empty() {
+            let level = || self.machine.level.to_string();
+            return self
+                .task()
+                .map(|task| vec![task])
+                .ok_or_else(|| ControllerError::WrongLevel { command, level: level() });
+        }
+        let mut tasks = Vec::new();
         for argument in call.arguments {
             match argument {
-                Arg::Word { keyword: Keyword::All, .. } => programs.extend(0..count),
+                Arg::Word { keyword: Keyword::All, .. } => {
+                    tasks.extend((0..model.programs).map(Task::Program));
+                    if takes_plcs(call.command) {
+                        tasks.extend((0..model.plcs).map(Task::Plc));
+                    }
+                }
                 Arg::Object { kind: ObjectKind::Prog, index: Some(index), .. } => {
-                    programs.push(Machine::object("PROG", i64::from(*index), count)?);
+                    tasks.push(Task::Program(Machine::object("PROG", i64::from(*index), model.programs)?));
                 }
-                // PLC programs are not part of a dry run; erasing or stopping one is no loss.
-                Arg::Object { kind: ObjectKind::Plc, .. } if !starts(call.command) => {}
-                Arg::Object { kind: ObjectKind::Plc, .. } => return Err(ControllerError::NotSimulated(command::PLC)),
-                _ => {
-                    return Err(ControllerError::Expected {
-                        command: call.command.info().name,
-                        expected: "PROGn, PLCn or ALL",
-                    });
+                Arg::Object { kind: ObjectKind::Plc, index: Some(index), .. } if takes_plcs(call.command) => {
+                    tasks.push(Task::Plc(Machine::object("PLC", i64::from(*index), model.plcs)?));
                 }
+                Arg::Object { kind: ObjectKind::Plc, .. } => return Err(only_programs(call.command)),
+                _ => return Err(ControllerError::Expected { command, expected: "PROGn, PLCn or ALL" }),
             }
         }
-        Ok(programs)
+        Ok(tasks)
     }
 }
 
-fn starts(command: CommandId) -> bool {
-    matches!(command, command::RUN | command::LRUN)
+/// The commands that also act on PLC programs (guide, "Starting, Pausing, and Halting Programs").
+fn takes_plcs(command: CommandId) -> bool {
+    matches!(command, command::RUN | command::HALT | command::NEW)
+}
+
+fn only_programs(command: CommandId) -> ControllerError {
+    ControllerError::Expected { command: command.info().name, expected: "PROGn or ALL" }
 }

@@ -6,8 +6,11 @@
 //! a run does and when is the same to the tick.
 
 use super::{Controller, Observer};
+use crate::footprint::Places;
+use crate::program::{NEVER, Program};
 use crate::scheduler::HIGH_PROGRAMS;
 use crate::terminal::Demand;
+use crate::watch::Circle;
 
 /// Lines that a program executes in one slice (`docs/fidelity.md`, program scheduling).
 pub(crate) const LINES_PER_SLICE: u32 = 4;
@@ -35,6 +38,21 @@ impl Pace {
     /// One slice, now.
     pub(crate) fn slice(now: u64) -> Self {
         Self { first: now, stride: 0, slices: 1, awaited: false, lines: 0, leave: false }
+    }
+
+    /// Slices whose lines may be executed.
+    pub(super) fn slices(&self) -> u32 {
+        self.slices
+    }
+
+    /// Tick of the slice to which the first line belongs.
+    pub(super) fn first(&self) -> u64 {
+        self.first
+    }
+
+    /// Slices that are over before the one of the present line.
+    pub(super) fn passed(&self, now: u64) -> u64 {
+        (now - self.first).checked_div(self.stride).unwrap_or(0)
     }
 
     /// Lines that may be executed.
@@ -84,27 +102,51 @@ impl Controller {
         }
         let mut until = self.machine.next_event_tick().map_or(end, |tick| tick.min(end));
         let mut ring = 1;
-        let mut awaited = self.machine.terminal.channels().any(|channel| channel.typed.is_some());
+        let mut awaited = false;
+        for typed in self.machine.terminal.channels().filter_map(|channel| channel.typed.as_ref()) {
+            // What is written to user parameters meanwhile would not be noticed.
+            if typed.waits_for.any_user() {
+                return here;
+            }
+            awaited = true;
+        }
         match self.channel_demand() {
             Demand::Now => return here,
             Demand::At(tick) => until = until.min(tick),
             Demand::Nothing => {}
         }
-        for (other, program) in self.programs.iter().enumerate().filter(|(_, program)| program.state.is_active()) {
+        for (other, program) in self.programs.iter().enumerate().filter(|(_, program)| program.is_active()) {
             ring += 1;
             if other == number {
                 continue;
             }
             // The low programs share a slice: they pass it on, or wait together.
             let high = number.max(other) < HIGH_PROGRAMS;
-            if !high || !program.waits(self.changes) {
-                return here;
-            }
-            until = program.release.into_iter().chain(program.watch.ticks()).fold(until, u64::min);
+            let Some(tick) = self.bystander(program).filter(|_| high) else { return here };
+            until = until.min(tick);
             awaited |= program.release.is_none();
         }
+        for plc in self.plcs.iter().filter(|plc| plc.program.is_active()) {
+            let Some(release) = self.bystander(&plc.program) else { return here };
+            until = until.min(release).min(plc.ladder.next_timer());
+            awaited = true;
+        }
         let stride = ring * self.machine.clock.slice_ticks();
-        let slices = until.saturating_sub(now).div_ceil(stride).min(LONGEST);
+        let longest = self.programs[number].watch.stride().min(LONGEST);
+        let slices = until.saturating_sub(now).div_ceil(stride).min(longest);
         if slices < 2 { here } else { Pace { stride, slices: slices as u32, awaited, ..here } }
+    }
+
+    /// The tick before which a program does nothing of its own while another one runs ahead; [`NEVER`] when only a change can end that. `None` when
+    /// it has to be looked at in each of its slices.
+    fn bystander(&self, program: &Program) -> Option<u64> {
+        // What is written to user parameters meanwhile would not be noticed.
+        let blind = |reads: Places| reads.any_user();
+        if let Some(tick) = program.waits(&self.changes) {
+            return (!blind(program.waits_for)).then_some(tick);
+        }
+        // A circle of one slice needs no execution at all.
+        let still = |circle: &Circle| circle.slices == 1 && !blind(circle.reads);
+        program.circle(&self.changes).filter(still).map(|_| NEVER)
     }
 }

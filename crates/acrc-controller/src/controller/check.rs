@@ -22,9 +22,13 @@ pub struct Unsupported {
 }
 
 impl Controller {
-    /// The commands of setup code and of the given programs that this controller does not execute.
+    /// The commands of setup code, of the given programs, and of the PLC programs that start by themselves, that this controller does not execute.
     pub fn unsupported(image: &Image, programs: &[u8]) -> Vec<Unsupported> {
-        let wanted = |unit: &&Unit| matches!(unit.name, UnitName::Program(number) if programs.contains(&number));
+        let wanted = |unit: &&Unit| match unit.name {
+            UnitName::Program(number) => programs.contains(&number),
+            UnitName::Plc(_) => Self::boots_as_plc(unit),
+            UnitName::Boot => false,
+        };
         let mut found = Vec::new();
         for unit in std::iter::once(&image.boot).chain(image.programs.iter().filter(wanted)) {
             for instruction in unit.decode().unwrap_or_default() {
@@ -48,9 +52,14 @@ impl Controller {
         found
     }
 
+    /// Whether a text is a PLC program that starts at power-up.
+    pub fn boots_as_plc(unit: &Unit) -> bool {
+        matches!(unit.name, UnitName::Plc(_)) && boots(unit)
+    }
+
     /// Programs whose first statement is `PBOOT`.
     pub fn boot_programs(image: &Image) -> Vec<u8> {
-        let numbers = image.programs.iter().filter(|unit| begins_with_pboot(unit)).filter_map(|unit| match unit.name {
+        let numbers = image.programs.iter().filter(|unit| boots(unit)).filter_map(|unit| match unit.name {
             UnitName::Program(number) => Some(number),
             UnitName::Boot | UnitName::Plc(_) => None,
         });
@@ -58,11 +67,11 @@ impl Controller {
     }
 }
 
-/// Whether the first statement of a text is `PBOOT`.
-fn begins_with_pboot(unit: &Unit) -> bool {
+/// Whether a text begins with `PBOOT`.
+pub(crate) fn boots(unit: &Unit) -> bool {
     let instructions = unit.decode().unwrap_or_default();
-    let first =
-        instructions.iter().find(|instruction| !matches!(instruction.command, command::REM | command::LINE_NUMBER));
+    let passed = |command: CommandId| matches!(command, command::REM | command::LINE_NUMBER);
+    let first = instructions.iter().find(|instruction| !passed(instruction.command));
     first.is_some_and(|instruction| instruction.command == command::PBOOT)
 }
 

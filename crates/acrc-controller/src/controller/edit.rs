@@ -5,16 +5,15 @@
 
 use acrc_catalog::message;
 use acrc_compile::{compile_stored, read_alias};
-use acrc_image::UnitName;
 use acrc_syntax::ast::StatementKind;
 use acrc_syntax::units::Level;
 use acrc_vm::{Code, Location};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
-use crate::memory::Block;
 use crate::program::{Program, State};
 use crate::report::FaultReport;
+use crate::task::Task;
 use crate::terminal::{Entry, StoredText, complaint, known_words};
 
 /// Why a text cannot be executed.
@@ -76,12 +75,15 @@ impl Controller {
     }
 
     fn replace_text(&mut self, level: Level, text: StoredText) {
-        let space = self.space_at(level);
-        let Some(program) = self.program_at(level) else { return };
+        let Some(task) = Task::at(level) else { return };
+        let space = self.machine.space(task);
+        self.machine.memory.set_stored(task.space(), !text.is_empty());
+        let program = self.program_mut(task);
         program.stop(State::Idle);
         program.frame.reset();
         program.unit = None;
         program.code = None;
+        program.boots = false;
         program.text_bytes = text.bytes();
         program.edited = Some(text).filter(|text| !text.is_empty());
         program.set_space(space);
@@ -90,51 +92,39 @@ impl Controller {
 
     /// The program or PLC program at a level.
     pub(super) fn program_at(&mut self, level: Level) -> Option<&mut Program> {
-        match level {
-            Level::System => None,
-            Level::Program(number) => self.programs.get_mut(usize::from(number)),
-            Level::Plc(number) => self.plcs.get_mut(usize::from(number)),
-        }
+        Task::at(level).map(|task| self.program_mut(task))
     }
 
     /// Bytes that a program or PLC program has for its text and its variables.
     pub(super) fn space_at(&self, level: Level) -> u64 {
-        let block = match level {
-            Level::System => return 0,
-            Level::Program(number) => Block::Program(number),
-            Level::Plc(number) => Block::Plc(number),
-        };
-        self.machine.memory.size(block).map_or(0, u64::from)
+        Task::at(level).map_or(0, |task| self.machine.space(task))
     }
 
     /// Makes the text of a program ready to run.
-    pub(super) fn prepare(&mut self, number: u8) -> Result<(), Vec<Flaw>> {
-        self.compile(Level::Program(number))?;
-        let program = &mut self.programs[usize::from(number)];
-        if let (Some(unit), None) = (&program.unit, &program.code) {
-            match Code::load_with(unit, self.aliases.entries(), self.load) {
-                Ok(code) => program.code = Some(code),
-                Err(error) => {
-                    let number = self.line_number(number, error.location);
-                    return Err(vec![Flaw { number, text: error.kind.to_string() }]);
-                }
+    pub(super) fn prepare(&mut self, task: Task) -> Result<(), Vec<Flaw>> {
+        self.compile(task)?;
+        let program = self.program(task);
+        let (Some(unit), None) = (program.unit.clone(), &program.code) else { return Ok(()) };
+        match Code::load_with(&unit, self.aliases.entries(), self.load) {
+            Ok(code) => {
+                self.note_doubts(&unit, &code);
+                self.program_mut(task).code = Some(code);
+                Ok(())
+            }
+            Err(error) => {
+                let number = self.line_number(task, error.location);
+                Err(vec![Flaw { number, text: error.kind.to_string() }])
             }
         }
-        Ok(())
     }
 
     /// Compiles a text that was edited.
-    pub(crate) fn compile(&mut self, level: Level) -> Result<(), Vec<Flaw>> {
-        let name = match level {
-            Level::System => return Ok(()),
-            Level::Program(number) => UnitName::Program(number),
-            Level::Plc(number) => UnitName::Plc(number),
-        };
-        let Some(text) = self.program_at(level).and_then(|program| program.edited.clone()) else { return Ok(()) };
+    pub(crate) fn compile(&mut self, task: Task) -> Result<(), Vec<Flaw>> {
+        let Some(text) = self.program(task).edited.clone() else { return Ok(()) };
         let source = text.source();
         let tree = acrc_syntax::parse(&source);
         self.define_all(&source, &tree).map_err(|text| vec![Flaw { number: None, text }])?;
-        let unit = compile_stored(name, &source, &tree, self.aliases.names()).map_err(|errors| {
+        let unit = compile_stored(task.unit(), &source, &tree, self.aliases.names()).map_err(|errors| {
             let flaw = |error: acrc_compile::CompileError| {
                 let line = tree.lines().partition_point(|line| line.span.end < error.span.start);
                 let number = text.lines().get(line).map(|line| line.number);
@@ -142,16 +132,13 @@ impl Controller {
             };
             errors.into_iter().map(flaw).collect::<Vec<_>>()
         })?;
-        let (needed, space) = (u64::from(unit.memory()), self.space_at(level));
+        let (needed, space) = (u64::from(unit.memory()), self.machine.space(task));
         if needed > space {
-            return Err(vec![Flaw { number: None, text: too_large(level, needed, space).to_string() }]);
+            return Err(vec![Flaw { number: None, text: too_large(task.level(), needed, space).to_string() }]);
         }
-        if let Some(program) = self.program_at(level) {
-            program.text_bytes = needed;
-            program.unit = Some(unit);
-            program.edited = None;
-            program.set_space(space);
-        }
+        let program = self.program_mut(task);
+        program.keep(unit);
+        program.set_space(space);
         Ok(())
     }
 
@@ -169,14 +156,16 @@ impl Controller {
     }
 
     /// A program that was to be started and cannot: its mistakes are told to those who listen.
-    pub(super) fn refuse_start(&mut self, number: u8, flaws: &[Flaw], observer: &mut dyn Observer) {
+    pub(super) fn refuse_start(&mut self, task: Task, flaws: &[Flaw], observer: &mut dyn Observer) {
         self.faulted = true;
-        self.programs[usize::from(number)].stop(State::Fault);
+        self.program_mut(task).stop(State::Fault);
         for flaw in flaws {
-            self.machine.terminal.tell_listeners(number, fault_line(&flaw.text, flaw.number).as_bytes());
+            if let Task::Program(number) = task {
+                self.machine.terminal.tell_listeners(number, fault_line(&flaw.text, flaw.number).as_bytes());
+            }
             observer.fault(&FaultReport {
                 seconds: self.machine.clock.seconds(),
-                program: Some(number),
+                unit: task.unit(),
                 file: None,
                 line: flaw.number,
                 statement: 1,
@@ -186,18 +175,18 @@ impl Controller {
     }
 
     /// Tells those who listen to a program of its run-time error.
-    pub(super) fn tell_fault(&mut self, number: u8, location: Location, message: &str) {
-        if self.machine.terminal.channels().any(|channel| channel.listening == Some(number)) {
-            let line = fault_line(message, self.line_number(number, location));
+    pub(super) fn tell_fault(&mut self, task: Task, location: Location, message: &str) {
+        if let Task::Program(number) = task
+            && self.machine.terminal.channels().any(|channel| channel.listening == Some(number))
+        {
+            let line = fault_line(message, self.line_number(task, location));
             self.machine.terminal.tell_listeners(number, line.as_bytes());
         }
     }
 
     /// The number, written or hidden, of a line of a program.
-    fn line_number(&self, number: u8, location: Location) -> Option<u32> {
-        let unit = self.programs.get(usize::from(number))?.unit.as_ref()?;
-        let text = StoredText::of_unit(unit, self.aliases.entries()).ok()?;
-        Some(text.lines().get((location.line as usize).checked_sub(1)?)?.number)
+    fn line_number(&self, task: Task, location: Location) -> Option<u32> {
+        self.program(task).numbers.get((location.line as usize).checked_sub(1)?).copied()
     }
 }
 

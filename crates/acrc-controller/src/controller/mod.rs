@@ -8,7 +8,10 @@ mod queries;
 mod reports;
 mod requests;
 mod run;
+mod scan;
 mod setup;
+mod skip;
+mod slice;
 mod streams;
 mod terminal;
 mod view;
@@ -16,21 +19,25 @@ mod view;
 use std::sync::Arc;
 
 use acrc_catalog::Model;
-use acrc_image::Image;
+use acrc_image::{Image, UnitName};
 use acrc_vm::{AngleUnit, Code, Frame, LoadOptions, Locals};
 
 pub(crate) use ahead::Pace;
 pub use check::Unsupported;
+pub(crate) use check::boots;
 pub use observer::{Observer, Sent};
 pub(crate) use requests::Refusal;
 pub use run::Stopped;
 pub use view::View;
 
 use crate::aliases::Aliases;
+use crate::footprint::Changes;
 use crate::machine::Machine;
-use crate::program::{Program, Watch};
+use crate::plc::Plc;
+use crate::program::{Alarm, Program};
 use crate::report::FaultReport;
 use crate::scheduler::Scheduler;
+use crate::time::SLICE_SECONDS;
 use crate::world::World;
 
 /// What a run is made with.
@@ -42,6 +49,10 @@ pub struct Options {
     pub seed: u64,
     /// What `SIN` and its like take, which no document says.
     pub angles: AngleUnit,
+    /// PLC programs that are started beside those that begin with `PBOOT`.
+    pub plcs: Vec<u8>,
+    /// Seconds from one scan of the PLC programs to the next; `None` for a slice.
+    pub plc_scan: Option<f64>,
 }
 
 /// A controller with an image.
@@ -49,9 +60,8 @@ pub struct Options {
 pub struct Controller {
     pub(crate) machine: Machine,
     pub(crate) programs: Vec<Program>,
+    pub(crate) plcs: Vec<Plc>,
     pub(crate) scheduler: Scheduler,
-    /// Stored texts of PLC programs.
-    pub(crate) plcs: Vec<Program>,
     pub(crate) image: Arc<Image>,
     pub(crate) aliases: Aliases,
     /// How programs are made ready to run.
@@ -59,13 +69,19 @@ pub struct Controller {
     pub(crate) boot: Boot,
     /// Programs to be started when the setup code is done.
     to_start: Vec<u8>,
+    /// The PLC programs that run from the beginning are started.
+    plcs_started: bool,
     /// The tick at which power came on is over.
     powered: bool,
     /// Events of the world that the observer has been told of.
     reported_events: usize,
     /// Counts what could end a program's waiting.
-    changes: u64,
+    pub(crate) changes: Changes,
     pub(crate) faulted: bool,
+    /// PLC programs that start when setup is over.
+    first_plcs: Vec<u8>,
+    /// Seconds from one scan of the PLC programs to the next.
+    plc_scan: f64,
 }
 
 /// Execution of the setup code.
@@ -78,7 +94,7 @@ pub(crate) struct Boot {
     /// Variables of statements at the system prompt, which has none.
     locals: Locals,
     release: Option<u64>,
-    watch: Watch,
+    alarm: Alarm,
     done: bool,
     waiting: bool,
     /// The count of changes when it last found that it must wait.
@@ -95,11 +111,12 @@ impl Controller {
         machine.apply_events();
         Ok(Self {
             programs: (0..model.programs).map(|_| Program::new()).collect(),
-            plcs: (0..model.plcs).map(|_| Program::new()).collect(),
+            plcs: (0..model.plcs).map(Plc::new).collect(),
             scheduler: Scheduler::new(),
             aliases: Aliases::new(&image.aliases),
             load,
             to_start: Vec::new(),
+            plcs_started: false,
             powered: false,
             boot: Boot {
                 code,
@@ -107,15 +124,17 @@ impl Controller {
                 statement: 0,
                 locals: Locals::new(0),
                 release: None,
-                watch: Watch::default(),
+                alarm: Alarm::default(),
                 done: false,
                 waiting: false,
                 waited_at: 0,
             },
             machine,
             image,
-            changes: 1,
+            changes: Changes::new(),
             faulted: false,
+            first_plcs: options.plcs,
+            plc_scan: options.plc_scan.unwrap_or(SLICE_SECONDS),
             reported_events: 0,
         })
     }
@@ -125,10 +144,10 @@ impl Controller {
         self.machine.model
     }
 
-    fn fault_report(&self, program: Option<u8>, location: acrc_vm::Location, message: String) -> FaultReport {
+    fn fault_report(&self, unit: UnitName, location: acrc_vm::Location, message: String) -> FaultReport {
         FaultReport {
             seconds: self.machine.clock.seconds(),
-            program,
+            unit,
             file: location.source.and_then(|source| self.image.files.get(source.file as usize).cloned()),
             line: Some(location.source_line()),
             statement: location.statement,

@@ -1,5 +1,7 @@
 //! Who watches a run.
 
+use acrc_image::UnitName;
+
 use super::View;
 use crate::nonvolatile::Saved;
 use crate::report::FaultReport;
@@ -11,8 +13,8 @@ use crate::world::WorldEvent;
 pub struct Sent<'a> {
     /// Virtual time in seconds.
     pub seconds: f64,
-    /// The program that sent it; `None` for setup code, and for the terminal of a stream.
-    pub program: Option<u8>,
+    /// The program or PLC program that sent it; `Boot` for setup code, and for the terminal of a stream.
+    pub unit: UnitName,
     /// The device.
     pub device: i32,
     /// The stream that it went to; `None` for whoever listens to the program.

@@ -1,17 +1,17 @@
 //! Reports that need the programs: `LIST`, `DIM`, `MEM`, `DEF`. Layouts that are not documented repeat the form of the command that would make
 //! what they report.
 
-use acrc_catalog::{OperandClass, command, law, memory};
+use acrc_catalog::memory::SystemBlock;
+use acrc_catalog::{OperandClass, command, law};
 use acrc_image::list::{ListOptions, list_instructions};
 use acrc_image::{Alias, Instruction, Node, Separator};
 use acrc_syntax::units::Level;
 use acrc_vm::Dimension;
 
 use super::{Controller, Observer};
-use crate::aliases::alias_count;
 use crate::command::deliver;
-use crate::memory::Block;
 use crate::request::{Origin, Query};
+use crate::task::Task;
 use crate::terminal::StoredText;
 
 impl Controller {
@@ -31,9 +31,10 @@ impl Controller {
 
     /// The lines of the program at a level whose numbers lie in a range. A text with mistakes is listed as it was typed.
     fn listing(&mut self, level: Level, first: u32, last: u32) -> Vec<String> {
-        let _ = self.compile(level);
+        let Some(task) = Task::at(level) else { return Vec::new() };
+        let _ = self.compile(task);
         let with_numbers = self.machine.flags.get(law::LIST_LINE_NUMBERS.at(0));
-        let Some(program) = self.program_at(level) else { return Vec::new() };
+        let program = self.program(task);
         let edited = program.edited.clone();
         let unit = program.unit.clone();
         let text = edited.or_else(|| StoredText::of_unit(&unit?, self.aliases.entries()).ok()).unwrap_or_default();
@@ -43,39 +44,23 @@ impl Controller {
 
     /// The allocations of a level.
     fn dimensions(&self, level: Level) -> Vec<String> {
-        match level {
-            Level::Program(number) => self
-                .programs
-                .get(usize::from(number))
-                .map(|program| program.locals.dimensions().iter().map(local_dimension).collect())
-                .unwrap_or_default(),
-            Level::System => self.machine.memory.blocks().map(system_dimension).collect(),
-            Level::Plc(_) => Vec::new(),
+        match Task::at(level) {
+            Some(task) => self.program(task).locals.dimensions().iter().map(local_dimension).collect(),
+            None => self.machine.memory.blocks().map(system_dimension).collect(),
         }
     }
 
     /// Bytes that are free at a level.
     fn free_memory(&self, level: Level) -> u64 {
-        let plc = |number: u8| self.plcs.get(usize::from(number)).map_or(0, |plc| plc.text_bytes);
-        let used = match level {
-            Level::System => return u64::from(self.machine.memory.free()),
-            Level::Plc(number) => plc(number),
-            Level::Program(number) => self
-                .programs
-                .get(usize::from(number))
-                .map_or(0, |program| program.text_bytes + program.locals.used() + program.frame.memory()),
-        };
-        self.space_at(level).saturating_sub(used)
+        let Some(task) = Task::at(level) else { return u64::from(self.machine.memory.free()) };
+        let program = self.program(task);
+        let used = program.text_bytes + program.locals.used() + program.frame.memory();
+        self.machine.space(task).saturating_sub(used)
     }
 }
 
-fn system_dimension((block, bytes): (Block, u32)) -> String {
-    let size = match block {
-        Block::Parameters => bytes / memory::PARAMETERS.each,
-        Block::Aliases => alias_count(bytes),
-        Block::Program(_) | Block::Plc(_) | Block::Stream(_) => bytes,
-    };
-    format!("DIM {block}({size})")
+fn system_dimension((block, bytes): (SystemBlock, u32)) -> String {
+    format!("DIM {block}({})", block.size(bytes))
 }
 
 fn local_dimension(dimension: &Dimension) -> String {

@@ -1,5 +1,7 @@
 //! What a controller tells about a run that is over.
 
+use acrc_image::UnitName;
+
 use super::{Controller, View};
 use crate::error::ControllerError;
 use crate::program::State;
@@ -26,16 +28,15 @@ impl Controller {
         self.machine.notes.iter().map(String::as_str)
     }
 
-    /// The programs that have text.
+    /// The programs and PLC programs that have text.
     pub fn programs(&self) -> Vec<ProgramReport> {
-        let stored = self
-            .programs
-            .iter()
-            .enumerate()
-            .filter_map(|(number, program)| Some((number, program, program.code.as_ref()?)));
+        let programs =
+            self.programs.iter().enumerate().map(|(number, program)| (UnitName::Program(number as u8), program));
+        let plcs = self.plcs.iter().map(|plc| (UnitName::Plc(plc.ladder.number()), &plc.program));
+        let stored = programs.chain(plcs).filter_map(|(unit, program)| Some((unit, program, program.code.as_ref()?)));
         stored
-            .map(|(number, program, code)| ProgramReport {
-                program: number as u8,
+            .map(|(unit, program, code)| ProgramReport {
+                unit,
                 state: program.state,
                 awaits: program.awaits.filter(|_| program.state == State::Waiting),
                 line: Some(code.location(program.frame.pc()).source_line()),

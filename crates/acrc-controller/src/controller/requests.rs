@@ -1,22 +1,25 @@
 //! What programs ask of the scheduler and of the memory, carried out between statements.
 
-use acrc_catalog::law;
-use acrc_image::{Unit, UnitName};
+use acrc_catalog::{Confidence, command, law};
+use acrc_image::{Instruction, Unit, UnitName};
 use acrc_vm::{AngleUnit, Code, Doubt, LoadError, Unconfirmed};
 
 use super::{Controller, Observer};
 use crate::error::ControllerError;
+use crate::machine::Machine;
 use crate::nonvolatile::Operation;
 use crate::orders::Order;
-use crate::program::{Program, State};
+use crate::plc::Ladder;
+use crate::program::{Mode, Program, State};
 use crate::report::FaultReport;
 use crate::request::Request;
+use crate::task::Task;
 
 /// Why a program is not stored.
 pub(crate) enum Refusal {
     Controller(ControllerError),
     /// The text of this program cannot be executed.
-    Code(u8, LoadError),
+    Code(UnitName, LoadError),
 }
 
 impl From<ControllerError> for Refusal {
@@ -37,26 +40,43 @@ impl Controller {
 
     /// Carries out one request.
     pub(crate) fn apply(&mut self, request: Request, observer: &mut dyn Observer) {
-        self.changes += 1;
+        self.changes.everywhere();
         match request {
-            Request::Run(number) => self.start(number, observer),
-            Request::Halt(number) => self.halt(number),
+            Request::Run(task) => self.start(task, observer),
+            Request::Halt(task) => self.halt(task),
             Request::Pause(number) => self.pause(number),
             Request::Resume(number) => self.resume(number),
-            Request::New(number) => {
-                self.halt(number);
-                self.programs[usize::from(number)] = Program::new();
+            Request::New(task) => {
+                self.halt(task);
+                *self.program_mut(task) = Program::new();
+                self.machine.memory.set_stored(task.space(), false);
+            }
+            Request::Boot => self.start_boot_programs(observer),
+            Request::Block(number, on) => {
+                let program = &mut self.programs[usize::from(number)];
+                program.mode = if on { Mode::Block } else { Mode::Automatic };
+            }
+            Request::Step(number) => {
+                let program = &mut self.programs[usize::from(number)];
+                if program.mode == Mode::Block {
+                    program.mode = Mode::Step;
+                }
+            }
+            Request::Trace(number, on) => self.programs[usize::from(number)].trace = on,
+            Request::ClearAllLocals => {
+                for task in self.tasks() {
+                    self.program_mut(task).locals.clear();
+                }
             }
             Request::ForgetAliases => self.aliases.clear(),
             Request::Report(query, origin) => self.answer(query, origin, observer),
-            Request::ClearAllLocals => self.programs.iter_mut().for_each(|program| program.locals.clear()),
             Request::Memories(operation) => self.operate(operation, observer),
             Request::Install(index) => {
                 if let Err(refusal) = self.install(index) {
                     self.faulted = true;
                     let report = match refusal {
-                        Refusal::Code(number, error) if error.location.source_line() > 0 => {
-                            self.fault_report(Some(number), error.location, error.kind.to_string())
+                        Refusal::Code(unit, error) if error.location.source_line() > 0 => {
+                            self.fault_report(unit, error.location, error.kind.to_string())
                         }
                         Refusal::Code(_, error) => self.setup_fault(error.to_string()),
                         Refusal::Controller(error) => self.setup_fault(error.to_string()),
@@ -70,7 +90,7 @@ impl Controller {
 
     /// A fault at the present statement of the setup code.
     fn setup_fault(&self, message: String) -> FaultReport {
-        self.fault_report(None, self.boot.code.location(self.boot.statement), message)
+        self.fault_report(UnitName::Boot, self.boot.code.location(self.boot.statement), message)
     }
 
     /// Stores a program's text of the image in its space.
@@ -81,65 +101,78 @@ impl Controller {
 
     /// Stores a text in its space.
     pub(crate) fn store(&mut self, unit: Unit) -> Result<(), Refusal> {
+        let (task, object, index, count) = match unit.name {
+            UnitName::Program(number) => (Task::Program(number), "PROG", number, self.programs.len()),
+            UnitName::Plc(number) => (Task::Plc(number), "PLC", number, self.plcs.len()),
+            UnitName::Boot => return Ok(()),
+        };
+        Machine::object(object, i64::from(index), count as u8)?;
+        let available = self.machine.space(task);
         let needed = u64::from(unit.memory());
-        let UnitName::Program(number) = unit.name else {
-            self.machine
-                .notes
-                .insert(format!("{} has a program: the dry run does not execute PLC programs", unit.name));
-            if let UnitName::Plc(number) = unit.name
-                && let Some(plc) = self.plcs.get_mut(usize::from(number))
-            {
-                *plc = Program { unit: Some(unit), text_bytes: needed, ..Program::new() };
-            }
-            return Ok(());
-        };
-        let Some(program) = self.programs.get_mut(usize::from(number)) else {
-            let last = self.machine.model.programs.saturating_sub(1);
-            return Err(ControllerError::NoSuchObject { object: "PROG", index: i64::from(number), last }.into());
-        };
-        let available = self.machine.space(number);
         if needed > available {
-            return Err(ControllerError::ProgramTooLarge { program: number, needed, available }.into());
+            return Err(ControllerError::ProgramTooLarge { unit: unit.name, needed, available }.into());
         }
-        let code =
-            Code::load_with(&unit, self.aliases.entries(), self.load).map_err(|error| Refusal::Code(number, error))?;
-        let angles = self.load.angle;
-        self.machine.notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(number, doubt, angles)));
+        let code = Code::load_with(&unit, self.aliases.entries(), self.load)
+            .map_err(|error| Refusal::Code(unit.name, error))?;
+        self.note_doubts(&unit, &code);
+        let program = self.program_mut(task);
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
-        program.unit = Some(unit);
+        program.keep(unit);
         program.code = Some(code);
-        program.edited = None;
-        program.text_bytes = needed;
         program.set_space(available);
+        self.machine.memory.set_stored(task.space(), true);
         Ok(())
     }
 
+    /// Notes what the behaviour of a text rests on without proof.
+    pub(super) fn note_doubts(&mut self, unit: &Unit, code: &Code) {
+        let (notes, angles) = (&mut self.machine.notes, self.load.angle);
+        notes.extend(code.unconfirmed().iter().map(|doubt| unconfirmed_note(unit.name, doubt, angles)));
+        notes.extend(unconfirmed_rungs(unit.name, &unit.decode().unwrap_or_default()));
+    }
+
     /// Starts a program that has text; as on the controller, one that has none simply does not run.
-    fn start(&mut self, number: u8, observer: &mut dyn Observer) {
-        if !self.programs.get(usize::from(number)).is_some_and(Program::has_text) {
+    fn start(&mut self, task: Task, observer: &mut dyn Observer) {
+        if !self.program(task).has_text() {
             return;
         }
-        if let Err(flaws) = self.prepare(number) {
-            self.refuse_start(number, &flaws, observer);
+        if let Err(flaws) = self.prepare(task) {
+            self.refuse_start(task, &flaws, observer);
             return;
         }
-        let program = &mut self.programs[usize::from(number)];
+        if let Task::Plc(number) = task {
+            self.plcs[usize::from(number)].ladder = Ladder::new(number);
+        }
+        let program = self.program_mut(task);
         let held = program.state == State::Paused;
         program.start();
-        if held {
+        if held && let Task::Program(number) = task {
             self.order(number, Order::CycleStart);
         }
     }
 
+    /// Starts every program that begins with `PBOOT`.
+    fn start_boot_programs(&mut self, observer: &mut dyn Observer) {
+        for task in self.tasks() {
+            // Whether a text that was edited begins with it shows when it is compiled.
+            let compiled = self.compile(task);
+            if compiled.is_ok() && self.program(task).boots {
+                self.start(task, observer);
+            }
+        }
+    }
+
     /// Stops a program and the motion of its master.
-    fn halt(&mut self, number: u8) {
-        let program = &mut self.programs[usize::from(number)];
+    fn halt(&mut self, task: Task) {
+        let program = self.program_mut(task);
         if program.state.is_active() || program.state == State::Paused {
             program.stop(State::Ended);
         }
-        self.order(number, Order::Halt);
+        if let Task::Program(number) = task {
+            self.order(number, Order::Halt);
+        }
     }
 
     /// Holds a program and its motion. Motion that outlives its program is held, too; a program at rest is not.
@@ -177,15 +210,34 @@ impl Controller {
             self.machine.flags.set_law(law::PROGRAM_RUNNING, number as u32, program.state.is_active());
             self.machine.flags.set_law(law::PROGRAM_PAUSE, number as u32, program.state == State::Paused);
         }
+        for plc in &self.plcs {
+            let number = u32::from(plc.ladder.number());
+            self.machine.flags.set_law(law::PLC_RUNNING, number, plc.program.state.is_active());
+        }
     }
 }
 
 /// What a run says of behaviour that no document describes.
-fn unconfirmed_note(program: u8, unconfirmed: &Unconfirmed, angles: AngleUnit) -> String {
-    let place = format!("PROG{program} line {}", unconfirmed.location.source_line());
+fn unconfirmed_note(unit: UnitName, unconfirmed: &Unconfirmed, angles: AngleUnit) -> String {
+    let place = format!("{unit} line {}", unconfirmed.location.source_line());
     let name = unconfirmed.name;
     match unconfirmed.doubt {
         Doubt::Existence => format!("{place} uses {name}, whose behaviour is unconfirmed"),
         Doubt::AngleUnit => format!("{place} uses {name}: angles are taken in {angles}, which is unconfirmed"),
     }
+}
+
+/// The ladder commands whose behaviour rests on little.
+fn unconfirmed_rungs(unit: UnitName, instructions: &[Instruction]) -> impl Iterator<Item = String> {
+    instructions.iter().filter_map(move |instruction| {
+        let info = instruction.command.info();
+        let ladder = info.levels.plc() && !info.levels.prog() && !info.levels.sys();
+        match instruction.command {
+            command::TIM => Some(format!("{unit} uses TIM: presets are taken in milliseconds, which is unconfirmed")),
+            _ if ladder && info.confidence == Confidence::Low => {
+                Some(format!("{unit} uses {}, whose behaviour is unconfirmed", info.name))
+            }
+            _ => None,
+        }
+    })
 }

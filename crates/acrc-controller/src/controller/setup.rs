@@ -1,12 +1,15 @@
 //! Execution of the setup code, statement by statement as at a prompt.
 
-use acrc_syntax::units::Level;
+use acrc_image::UnitName;
 use acrc_vm::{Budget, Code, Frame, Locals, Run, Stop};
 
 use super::{Controller, Observer, Pace};
 use crate::command::Context;
+use crate::footprint::Footprint;
 use crate::machine::Machine;
-use crate::program::{Program, Watch};
+use crate::plc::Plc;
+use crate::program::{Alarm, Program};
+use crate::task::Task;
 use crate::terminal::ChannelId;
 
 /// Statements of setup code that may be executed in one tick before the run looks at time again.
@@ -33,22 +36,22 @@ impl Controller {
             code: &boot.code,
             frame: &mut boot.frame,
             release: &mut boot.release,
-            watch: &mut boot.watch,
+            alarm: &mut boot.alarm,
             spare: &mut boot.locals,
             channel: None,
         };
-        let run = statement.run(&mut self.machine, &mut self.programs, observer);
+        let (run, _) = statement.run(&mut self.machine, &mut self.programs, &mut self.plcs, observer);
         boot.waiting = run.stop == Stop::Blocked;
         boot.done = run.stop == Stop::Ended;
         if run.statements > 0 || run.stop != Stop::Blocked {
-            self.changes += 1;
+            self.changes.everywhere();
         }
-        boot.waited_at = self.changes;
+        boot.waited_at = self.changes.count();
         if let Stop::Fault(fault) = &run.stop {
             // As at the prompt: the controller says what is wrong and takes the next statement.
             let location = boot.code.location(fault.pc);
             boot.frame.skip_statement(&boot.code);
-            let report = self.fault_report(None, location, fault.to_string());
+            let report = self.fault_report(UnitName::Boot, location, fault.to_string());
             self.faulted = true;
             observer.fault(&report);
         }
@@ -62,7 +65,7 @@ pub(super) struct Immediate<'a> {
     pub(super) code: &'a Code,
     pub(super) frame: &'a mut Frame,
     pub(super) release: &'a mut Option<u64>,
-    pub(super) watch: &'a mut Watch,
+    pub(super) alarm: &'a mut Alarm,
     /// Variables where no program has any.
     pub(super) spare: &'a mut Locals,
     /// The channel at which it was typed.
@@ -70,15 +73,23 @@ pub(super) struct Immediate<'a> {
 }
 
 impl Immediate<'_> {
-    /// Executes it, with the variables of the program at the level.
-    pub(super) fn run(self, machine: &mut Machine, programs: &mut [Program], observer: &mut dyn Observer) -> Run {
-        let level = match machine.level {
-            Level::Program(number) => Some(number),
-            Level::System | Level::Plc(_) => None,
+    /// Executes it, with the variables of the program at the level. Gives what it has touched, too.
+    pub(super) fn run(
+        self,
+        machine: &mut Machine,
+        programs: &mut [Program],
+        plcs: &mut [Plc],
+        observer: &mut dyn Observer,
+    ) -> (Run, Footprint) {
+        let task = Task::at(machine.level);
+        let program = match task {
+            None => None,
+            Some(Task::Program(number)) => programs.get_mut(usize::from(number)),
+            Some(Task::Plc(number)) => plcs.get_mut(usize::from(number)).map(|plc| &mut plc.program),
         };
-        let locals = match level.and_then(|number| programs.get_mut(usize::from(number)).zip(Some(number))) {
-            Some((program, number)) => {
-                program.set_space(machine.space(number));
+        let locals = match program.zip(task) {
+            Some((program, task)) => {
+                program.set_space(machine.space(task));
                 &mut program.locals
             }
             None => self.spare,
@@ -86,14 +97,17 @@ impl Immediate<'_> {
         let pace = Pace::slice(machine.clock.ticks());
         let mut context = Context {
             machine,
-            program: level,
+            program: if let Some(Task::Program(number)) = task { Some(number) } else { None },
+            ladder: None,
             release: self.release,
-            watch: self.watch,
+            alarm: self.alarm,
             observer,
             pace,
+            footprint: Footprint::default(),
             immediate: true,
             channel: self.channel,
         };
-        acrc_vm::run(self.code, self.frame, locals, &mut context, Budget::statements(1))
+        let run = acrc_vm::run(self.code, self.frame, locals, &mut context, Budget::statements(1));
+        (run, context.footprint)
     }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use acrc_image::UnitName;
+
 use super::{Controller, Observer, Sent};
 use crate::streams::{Port, as_typed};
 use crate::terminal::{ChannelId, StreamName, Typist};
@@ -11,7 +13,7 @@ impl Controller {
     /// end of a line is the Enter key. A stream is read while a program has it open.
     pub fn offer(&mut self, port: Port, text: &[u8]) {
         self.machine.streams.offer(port, &as_typed(text));
-        self.changes += 1;
+        self.changes.everywhere();
     }
 
     /// A byte that was typed at a channel goes to the programs that have its stream open, to the channel that talks to it, or to the terminal. A
@@ -24,7 +26,7 @@ impl Controller {
         let Some(channel) = self.machine.terminal.get_mut(id) else { return };
         channel.push(byte);
         if channel.listening.is_some() {
-            self.changes += 1;
+            self.changes.everywhere();
         }
     }
 
@@ -93,12 +95,12 @@ impl Controller {
     fn show(&self, stream: StreamName, sent: &[u8], observer: &mut dyn Observer) {
         let text: String = sent.iter().copied().map(char::from).collect();
         let seconds = self.machine.clock.seconds();
-        observer.output(&Sent { seconds, program: None, device: 0, stream: Some(stream), text: &text });
+        observer.output(&Sent { seconds, unit: UnitName::Boot, device: 0, stream: Some(stream), text: &text });
     }
 
     /// Characters arrive for the programs. A sender is held back while the buffer is full, so nothing is lost.
     fn arrive(&mut self, port: Port, bytes: &[u8]) {
-        self.changes += 1;
+        self.changes.everywhere();
         let waiting = self.machine.streams.arrive(port, bytes);
         if let Port::Stream(stream) = port {
             let size = self.machine.memory.stream_bytes(stream);

@@ -90,11 +90,14 @@ impl Controller {
     fn demand_of(&self, channel: &Channel) -> Demand {
         match (&channel.typed, channel.listening) {
             (Some(_), _) | (None, Some(_)) if channel.escape_waits() => Demand::Now,
-            (Some(typed), _) if typed.waiting => match typed.release.into_iter().chain(typed.watch.ticks()).min() {
-                Some(tick) if typed.release.is_some() || typed.waited_at == self.changes => Demand::At(tick),
-                None if typed.waited_at == self.changes => Demand::Nothing,
-                _ => Demand::Now,
-            },
+            (Some(typed), _) if typed.waiting => {
+                let changed = self.changes.any_since(typed.waits_for, typed.waited_at);
+                match typed.release.into_iter().chain(typed.alarm.ticks()).min() {
+                    Some(tick) if typed.release.is_some() || !changed => Demand::At(tick),
+                    None if !changed => Demand::Nothing,
+                    _ => Demand::Now,
+                }
+            }
             (None, Some(program)) if self.is_going(program) => Demand::Nothing,
             (None, None) if !channel.has_input() => Demand::Nothing,
             _ => Demand::Now,
@@ -259,17 +262,17 @@ impl Controller {
             code,
             frame: &mut typed.frame,
             release: &mut typed.release,
-            watch: &mut typed.watch,
+            alarm: &mut typed.alarm,
             spare: &mut self.boot.locals,
             channel: Some(id),
         };
-        let run = statement.run(&mut self.machine, &mut self.programs, observer);
+        let (run, footprint) = statement.run(&mut self.machine, &mut self.programs, &mut self.plcs, observer);
         let level = self.machine.level;
         typed.waiting = run.stop == Stop::Blocked;
         if run.statements > 0 || run.stop != Stop::Blocked {
-            self.changes += 1;
+            self.changes.everywhere();
         }
-        typed.waited_at = self.changes;
+        (typed.waited_at, typed.waits_for) = (self.changes.count(), footprint.reads);
         if let Stop::Fault(fault) = &run.stop {
             typed.frame.skip_statement(code);
             self.say(id, &fault.to_string());
@@ -287,7 +290,7 @@ impl Controller {
 
     /// A character that acts at once (guide, "To Stop All Motion Immediately").
     fn press(&mut self, key: Key) {
-        self.changes += 1;
+        self.changes.everywhere();
         for axis in 0..u32::from(self.machine.model.axes) {
             self.machine.flags.set_law(law::KILL_ALL_MOTION_REQUEST, axis, key != Key::ClearKill);
             if key == Key::KillAndDisable {
@@ -300,7 +303,8 @@ impl Controller {
             }
             return;
         }
-        for program in self.programs.iter_mut().filter(|program| program.is_going()) {
+        let plcs = self.plcs.iter_mut().map(|plc| &mut plc.program);
+        for program in self.programs.iter_mut().chain(plcs).filter(|program| program.is_going()) {
             program.stop(State::Ended);
         }
         if self.machine.in_motion() {

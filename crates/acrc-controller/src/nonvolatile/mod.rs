@@ -16,7 +16,6 @@ mod saved;
 
 use acrc_catalog::{CommandId, command};
 
-pub use crate::memory::{Block, UnknownBlock};
 pub use power::RestoreError;
 pub use saved::{
     AxisParameters, FlashImage, MasterParameters, Memory, Saved, Setting, SettingValue, Slave, SystemParameters,

@@ -5,20 +5,21 @@
 
 use std::sync::Arc;
 
-use acrc_image::{Alias, Image, ImageError, Unit};
-use acrc_syntax::units::Level;
+use acrc_catalog::memory::SystemBlock;
+use acrc_image::{Alias, Image, ImageError, Unit, UnitName};
 use acrc_vm::{Code, LoadError};
 use thiserror::Error;
 
 use super::{Battery, FlashImage, Memory, Operation, Saved};
 use crate::controller::{Controller, Observer, Options, Refusal};
 use crate::error::ControllerError;
-use crate::memory::{Block, SystemMemory};
+use crate::memory::SystemMemory;
 use crate::nonvolatile::parameters::retained_place;
 use crate::program::Program;
 use crate::report::FaultReport;
 use crate::request::Request;
 use crate::scheduler::Scheduler;
+use crate::task::Task;
 
 /// Why a controller cannot take what was saved.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -116,7 +117,7 @@ impl Controller {
     pub fn stored_programs(&self) -> Image {
         Image {
             aliases: self.aliases.entries().to_vec(),
-            programs: self.programs.iter().chain(&self.plcs).filter_map(|program| program.unit.clone()).collect(),
+            programs: self.texts().filter_map(|program| program.unit.clone()).collect(),
             ..Image::empty(self.machine.model.name)
         }
     }
@@ -199,7 +200,7 @@ impl Controller {
         let memory = &self.machine.memory;
         let Image { aliases, programs, .. } = self.stored_programs();
         // Texts refer to the table by place, so it is kept as a whole or not at all.
-        let named = memory.size(Block::Aliases).is_some() || !programs.is_empty();
+        let named = memory.size(SystemBlock::Aliases).is_some() || !programs.is_empty();
         Memory {
             blocks: memory.blocks().collect(),
             aliases: if named { aliases } else { Vec::new() },
@@ -212,17 +213,13 @@ impl Controller {
 
     /// Texts are kept as they are stored, so one that was changed at a terminal is compiled first. What cannot be compiled is not kept.
     fn compile_edited(&mut self) {
-        let edited = |programs: &[Program]| -> Vec<u8> {
-            let numbers = (0..).zip(programs).filter(|(_, program)| program.edited.is_some());
-            numbers.map(|(number, _)| number).collect()
-        };
-        let levels = edited(&self.programs).into_iter().map(Level::Program);
-        let levels: Vec<Level> = levels.chain(edited(&self.plcs).into_iter().map(Level::Plc)).collect();
-        for level in levels {
-            if self.compile(level).is_err() {
-                self.machine
-                    .notes
-                    .insert(format!("the text at {level} cannot be compiled, so it is not kept without power"));
+        let edited: Vec<Task> = self.tasks().filter(|task| self.program(*task).edited.is_some()).collect();
+        for task in edited {
+            if self.compile(task).is_err() {
+                self.machine.notes.insert(format!(
+                    "the text at {} cannot be compiled, so it is not kept without power",
+                    task.level()
+                ));
             }
         }
     }
@@ -245,9 +242,7 @@ impl Controller {
         self.machine.restart();
         let restored = self.power_up(memory, retained);
         self.told(restored, observer);
-        for program in self.kept_boot_programs() {
-            self.apply(Request::Run(program), observer);
-        }
+        self.apply(Request::Boot, observer);
     }
 
     /// Fills a machine that has just got power.
@@ -268,6 +263,7 @@ impl Controller {
             self.machine.load_system_parameters(&parameters)?;
         }
         self.update_program_flags();
+        self.changes.everywhere();
         Ok(())
     }
 
@@ -280,7 +276,7 @@ impl Controller {
         let mut with = Memory { user: memory.user, ..image.memory.clone() };
         with.blocks.extend(memory.blocks.into_iter().filter(|(block, _)| !of_programs(*block)));
         if with.blocks.iter().map(|(_, bytes)| u64::from(*bytes)).sum::<u64>() > room {
-            with.blocks.retain(|(block, _)| *block != Block::Parameters);
+            with.blocks.retain(|(block, _)| *block != SystemBlock::Parameters);
             with.user.clear();
         }
         with
@@ -294,7 +290,9 @@ impl Controller {
     fn set_memory(&mut self, memory: &Memory) -> Result<(), RestoreError> {
         let model = self.machine.model;
         self.machine.memory = SystemMemory::restored(model, &memory.blocks, &memory.user)?;
-        self.programs.iter_mut().chain(&mut self.plcs).for_each(|program| *program = Program::new());
+        for task in self.tasks().collect::<Vec<_>>() {
+            *self.program_mut(task) = Program::new();
+        }
         self.machine.config.clone_from(&memory.hardware);
         self.machine.password.clone_from(&memory.password);
         let places = self.merge_aliases(&memory.aliases)?;
@@ -332,12 +330,19 @@ impl Controller {
             self.faulted = true;
             let seconds = self.machine.clock.seconds();
             let message = error.to_string();
-            observer.fault(&FaultReport { seconds, program: None, file: None, line: None, statement: 1, message });
+            observer.fault(&FaultReport {
+                seconds,
+                unit: UnitName::Boot,
+                file: None,
+                line: None,
+                statement: 1,
+                message,
+            });
         }
     }
 }
 
 /// Whether `FLASH SAVE` keeps a block.
-fn of_programs(block: Block) -> bool {
-    matches!(block, Block::Program(_) | Block::Plc(_) | Block::Aliases)
+fn of_programs(block: SystemBlock) -> bool {
+    matches!(block, SystemBlock::Program(_) | SystemBlock::Plc(_) | SystemBlock::Aliases)
 }

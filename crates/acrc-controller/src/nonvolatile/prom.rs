@@ -5,6 +5,8 @@
 
 use std::fmt::Write as _;
 
+use acrc_image::UnitName;
+
 use crate::controller::{Controller, Observer, Sent};
 
 /// Data bytes of a record.
@@ -24,7 +26,7 @@ impl Controller {
         match image.to_bytes() {
             Ok(bytes) => {
                 let text = intel_hex(&bytes);
-                observer.output(&Sent { seconds, program: None, device: 0, stream: None, text: &text });
+                observer.output(&Sent { seconds, unit: UnitName::Boot, device: 0, stream: None, text: &text });
             }
             Err(error) => {
                 self.machine.notes.insert(format!("PROM sent nothing: {error}"));

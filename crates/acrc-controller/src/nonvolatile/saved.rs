@@ -1,11 +1,10 @@
 //! What outlasts a reset, as plain data: nothing in it refers to the controller that it comes from.
 
 use acrc_catalog::CommandId;
+use acrc_catalog::memory::SystemBlock;
 use acrc_image::{Alias, AxisName, Unit};
 use acrc_motion::MoveSettings;
 use acrc_vm::{Source, Text, Value};
-
-use crate::memory::Block;
 
 /// Everything that a controller has when its power comes on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,7 +25,7 @@ pub struct Saved {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Memory {
     /// Every block with its bytes.
-    pub blocks: Vec<(Block, u32)>,
+    pub blocks: Vec<(SystemBlock, u32)>,
     /// The alias table that the texts refer to.
     pub aliases: Vec<Alias>,
     /// The stored texts, one a program or PLC program.

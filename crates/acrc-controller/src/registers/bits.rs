@@ -8,6 +8,7 @@ use crate::flags::{FIRST_WORD, Flags};
 use crate::machine::Machine;
 use crate::orders::Order;
 use crate::request::Request;
+use crate::task::Task;
 
 impl Machine {
     /// State of a flag.
@@ -40,17 +41,29 @@ impl Machine {
             Effect::Request => self.note_effect(number, state),
             Effect::Master(Order::Kill) if !state => self.flags.set(number, false),
             Effect::Master(order) if state => self.order(index, order),
-            Effect::RunProgram if state => self.requests.push(Request::Run(object)),
-            Effect::HaltProgram if state => self.requests.push(Request::Halt(object)),
+            Effect::RunProgram if state => self.requests.push(Request::Run(Task::Program(object))),
+            Effect::HaltProgram if state => self.requests.push(Request::Halt(Task::Program(object))),
+            Effect::RunPlc if state => self.requests.push(Request::Run(Task::Plc(object))),
+            Effect::HaltPlc if state => self.requests.push(Request::Halt(Task::Plc(object))),
             Effect::PauseProgram if state => self.requests.push(Request::Pause(object)),
             Effect::PauseProgram => self.requests.push(Request::Resume(object)),
-            Effect::Master(_) | Effect::RunProgram | Effect::HaltProgram => {}
+            Effect::Master(_) | Effect::RunProgram | Effect::HaltProgram | Effect::RunPlc | Effect::HaltPlc => {}
             Effect::EnableDrive => self.set_drive(object, state),
             Effect::KillMotion if state => self.kill_motion(object),
             Effect::KillMotion => self.flags.set(number, false),
             Effect::ResetMotionEnable => self.reset_motion_enable(state),
         }
         Ok(())
+    }
+
+    /// Whether a flag is memory only: writing it changes no other flag or parameter but its own word.
+    pub(crate) fn is_plain_flag(number: i64) -> bool {
+        PLAIN_FLAGS.iter().any(|flags| flags.contains(&number))
+    }
+
+    /// Whether giving a flag the state that it has does nothing.
+    pub(crate) fn is_idle_write(number: i64, state: bool) -> bool {
+        u32::try_from(number).is_ok_and(|number| map().flag(number).effect.is_idle(state))
     }
 
     /// Writes a flag word bit by bit, so that each bit does what it does when it is set alone.
@@ -98,6 +111,25 @@ impl Machine {
     }
 }
 
+/// Inputs, outputs and the flags of users (guide, "User Flags"); the others may belong to something that acts on them.
+const PLAIN_FLAGS: [std::ops::Range<i64>; 2] = [0..256, 1920..2048];
+
 fn checked_bit(number: i64) -> Result<u32, ControllerError> {
     u32::try_from(number).ok().filter(|bit| Flags::contains(*bit)).ok_or(ControllerError::UnknownBit(number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_flags_do_nothing() {
+        for number in PLAIN_FLAGS.into_iter().flatten() {
+            let effect = map().flag(number as u32).effect;
+            assert!(
+                matches!(effect, Effect::None | Effect::Undocumented | Effect::ReadOnly),
+                "BIT{number}: {effect:?}"
+            );
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use acrc_catalog::{Law, law};
 use acrc_vm::Value;
 
+use super::map::{Kind, map};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 
@@ -50,6 +51,12 @@ impl Live {
 }
 
 impl Machine {
+    /// Whether a parameter changes although nothing happens.
+    pub(crate) fn follows_time(number: i64) -> bool {
+        let parameter = u32::try_from(number).ok().and_then(|number| map().parameter(number));
+        parameter.is_some_and(|parameter| parameter.kind == Kind::Live(Live::Clock))
+    }
+
     /// The value of a parameter of an object. `None` when the model has no such object.
     pub(super) fn live_parameter(&self, live: Live, object: u8) -> Option<Value> {
         let axis = self.axes.get(usize::from(object));

@@ -71,10 +71,29 @@ pub(crate) enum Effect {
     Master(Order),
     RunProgram,
     HaltProgram,
+    RunPlc,
+    HaltPlc,
     PauseProgram,
     EnableDrive,
     KillMotion,
     ResetMotionEnable,
+}
+
+impl Effect {
+    /// Whether giving a flag the state that it has does nothing.
+    pub(super) fn is_idle(self, state: bool) -> bool {
+        match self {
+            Self::Undocumented | Self::None | Self::ReadOnly | Self::NotSimulated | Self::Request => true,
+            Self::PauseProgram | Self::EnableDrive => false,
+            Self::Master(_)
+            | Self::RunProgram
+            | Self::HaltProgram
+            | Self::RunPlc
+            | Self::HaltPlc
+            | Self::KillMotion
+            | Self::ResetMotionEnable => !state,
+        }
+    }
 }
 
 /// One flag.
@@ -190,13 +209,15 @@ fn describe_flag(number: u32) -> Flag {
 }
 
 /// Flags that do something, or would.
-const EFFECTS: [(Law, Effect); 18] = [
+const EFFECTS: [(Law, Effect); 20] = [
     (law::FEEDHOLD_REQUEST, Effect::Master(Order::Feedhold)),
     (law::CYCLE_START_REQUEST, Effect::Master(Order::CycleStart)),
     (law::KILL_ALL_MOVES, Effect::Master(Order::Kill)),
     (law::STOP_ALL_MOVES, Effect::Master(Order::Stop)),
     (law::RUN_REQUEST, Effect::RunProgram),
     (law::HALT_REQUEST, Effect::HaltProgram),
+    (law::PLC_RUN_REQUEST, Effect::RunPlc),
+    (law::PLC_HALT_REQUEST, Effect::HaltPlc),
     (law::PROGRAM_PAUSE, Effect::PauseProgram),
     (law::DRIVE_ENABLE, Effect::EnableDrive),
     (law::KILL_ALL_MOTION_REQUEST, Effect::KillMotion),

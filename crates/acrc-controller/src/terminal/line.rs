@@ -15,8 +15,9 @@ use acrc_syntax::ast::{Statement, StatementKind};
 use acrc_vm::{Code, Frame, LoadOptions};
 
 use crate::aliases::Aliases;
+use crate::footprint::Places;
 use crate::memory::SystemMemory;
-use crate::program::Watch;
+use crate::program::Alarm;
 
 /// A line that is being executed.
 #[derive(Debug, Default)]
@@ -28,11 +29,13 @@ pub(crate) struct Typed {
     /// Tick at which its dwell ends.
     pub(crate) release: Option<u64>,
     /// When its wait for a parameter looks again.
-    pub(crate) watch: Watch,
+    pub(crate) alarm: Alarm,
     /// It found that it has to wait.
     pub(crate) waiting: bool,
     /// The count of changes when it last found so.
     pub(crate) waited_at: u64,
+    /// What its waiting depends on.
+    pub(crate) waits_for: Places,
 }
 
 /// A part of a typed line.

@@ -134,8 +134,9 @@ fn read_only_parameters_refuse_every_write() {
 /// What a flag reads after it was set.
 fn after_set(row: &BitRow) -> &'static str {
     // A program that does not run cannot be paused.
-    let clears = row.kind == BitKind::Request && row.confidence != Confidence::Low || row.field == "program_pause";
-    if clears { "0" } else { "-1" }
+    let clears = row.kind == BitKind::Request && row.confidence != Confidence::Low;
+    let commands = ["program_pause", "plc_run_request", "plc_halt_request"].contains(&row.field);
+    if clears || commands { "0" } else { "-1" }
 }
 
 #[test]

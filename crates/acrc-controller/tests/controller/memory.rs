@@ -27,7 +27,7 @@ fn memory_runs_out() {
 fn a_program_that_does_not_fit_its_space_is_not_stored() {
     let text = "SYS\nCLEAR\nDIM PROG0(16)\nPROG0\nPROGRAM\nPRINT \"long text\"\nENDP\nRUN PROG0\n";
     let ran = Sim::new(text).run();
-    assert_eq!(ran.record.faults[0].message, "program 0 needs 17 bytes but DIM PROG0 gives 16");
+    assert_eq!(ran.record.faults[0].message, "PROG0 needs 17 bytes but DIM PROG0 gives 16");
     assert_eq!((ran.record.faults[0].line, ran.record.output.len()), (Some(5), 0));
     assert_eq!(ran.controller.programs().len(), 0);
 }
@@ -65,6 +65,35 @@ fn a_second_dim_needs_a_clear() {
 fn clear_at_the_system_prompt_frees_the_variables_of_programs() {
     let text = "PROG0\nDIM LV(1)\nSYS\nCLEAR\nDIM PROG0(100)\nPROG0\nDIM LV(2)\nLV1 = 3\nPRINT LV1\n";
     assert_eq!(Sim::new(text).prints(), ["3"]);
+}
+
+#[test]
+fn space_with_a_program_is_not_cleared() {
+    let text = "PROG0\nPROGRAM\nPRINT 1\nENDP\nSYS\nCLEAR\n";
+    let faults = Sim::new(text).faults();
+    assert_eq!(faults, ["PROG0 has a program: NEW erases it before CLEAR can free its space"]);
+    Sim::new(&format!("{}NEW ALL\nCLEAR\nDIM PROG0(100)\n", text.trim_end_matches("CLEAR\n"))).run().clean();
+}
+
+#[test]
+fn plc_programs_have_a_space_of_their_own() {
+    let text = "PLC2\nPROGRAM\nLD 0\nOUT 32\nENDP\n";
+    assert_eq!(Sim::new(text).faults(), ["PLC2 needs 16 bytes but DIM PLC2 gives 0"]);
+    Sim::new(&format!("SYS\nDIM PLC2(200)\n{text}")).run().clean();
+}
+
+#[test]
+fn stream_buffers_take_system_memory_once() {
+    let sim = |lines: &str| Sim::new(&format!("SYS\n{lines}\n"));
+    sim("DIM COM1(512)\nDIM STREAM2(1024)\nCLEAR COM1\nDIM COM1(100)\nCLEAR STREAM2\nDIM STREAM2(10)").run().clean();
+    assert_eq!(
+        sim("DIM COM1(512)\nDIM COM1(512)").faults(),
+        ["Re-dimensioned block: COM1 has 512 bytes already; CLEAR frees them"]
+    );
+    assert_eq!(
+        sim("DIM FIFO(512)").faults(),
+        ["FIFO does not exist: this controller has COM1, COM2, STREAM1, STREAM2, STREAM3, STREAM4, STREAM5"]
+    );
 }
 
 #[test]

@@ -97,6 +97,19 @@ fn programs_with_pboot_start_after_a_reset() {
 }
 
 #[test]
+fn kept_plc_programs_with_pboot_start_at_power_up_and_after_a_reset() {
+    let plcs = "SYS\nDIM P(2)\nDIM PLC0(200)\nDIM PLC1(200)\nPLC0\nPROGRAM\nPBOOT\nLD NOT 128\nOUT 40\nENDP\n\
+                PLC1\nPROGRAM\nLD NOT 128\nOUT 41\nENDP\n";
+    let mut first = Sim::new(plcs).run().clean().controller;
+    assert!(first.bit(40).expect("a flag") && !first.bit(41).expect("a flag"));
+    let (second, _) = again(&first.saved(), true, "");
+    assert!(second.bit(40).expect("a flag") && !second.bit(41).expect("a flag"));
+    let reboot = "PROG0\nPROGRAM\nPBOOT\nP0 = P0 + 1\nIF (P0 < 2) THEN HALT PLC0 : CLR 40 : REBOOT\nENDP\n";
+    let ran = Sim::new(&format!("{plcs}{reboot}")).start(&[0]).run().clean();
+    assert!(ran.bit(40) && ran.bit(1536));
+}
+
+#[test]
 fn a_reset_ends_programs_and_motion_and_turns_outputs_off() {
     let world = "[[event]]\nat = 0.1\nset = [3]\n";
     let text = format!(

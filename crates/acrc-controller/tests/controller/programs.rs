@@ -1,6 +1,7 @@
 //! Program control from programs: RUN, HALT, PAUSE, RESUME, their flags, ends and faults (guide, "Starting, Pausing, and Halting Programs").
 
 use acrc_controller::State;
+use acrc_image::UnitName;
 
 use crate::support::{Ran, Sim, TWO_AXES};
 
@@ -10,7 +11,12 @@ fn pair(zero: &str, one: &str) -> Sim {
 }
 
 fn states(ran: &Ran) -> Vec<(u8, State)> {
-    ran.controller.programs().iter().map(|program| (program.program, program.state)).collect()
+    let programs = ran.controller.programs();
+    let numbered = programs.iter().filter_map(|program| match program.unit {
+        UnitName::Program(number) => Some((number, program.state)),
+        UnitName::Boot | UnitName::Plc(_) => None,
+    });
+    numbered.collect()
 }
 
 #[test]
@@ -148,7 +154,7 @@ fn a_fault_stops_its_program_only() {
 #[test]
 fn program_numbers_are_those_of_the_model() {
     assert_eq!(Sim::program("RUN PROG16").faults(), ["PROG16 does not exist: this controller has PROG0 to PROG15"]);
-    assert_eq!(Sim::program("RUN PLC0").faults(), ["PLC is not simulated"]);
+    assert_eq!(Sim::program("RUN PLC8").faults(), ["PLC8 does not exist: this controller has PLC0 to PLC7"]);
 }
 
 #[test]

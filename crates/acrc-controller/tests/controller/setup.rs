@@ -71,12 +71,6 @@ fn a_new_text_takes_the_place_of_one_that_runs() {
 }
 
 #[test]
-fn a_plc_text_leaves_a_note() {
-    let ran = Sim::new("SYS\nDIM PLC0(100)\nPLC0\nPROGRAM\nSET 32\nENDP\n").run().clean();
-    assert_eq!(ran.notes(), ["PLC0 has a program: the dry run does not execute PLC programs"]);
-}
-
-#[test]
 fn a_run_of_nothing_ends_at_once() {
     let ran = Sim::new("").run().clean();
     assert_eq!((ran.milliseconds(), ran.record.ticks), (0.0, 1));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::{World, WorldEvent};
 use acrc_controller::{Controller, FaultReport, Observer, Options, Port, Sent, Stopped, View};
-use acrc_image::Image;
+use acrc_image::{Image, UnitName};
 use acrc_syntax::units::Level;
 
 /// Attaches X and Y to program 0 and gives its master round numbers: a move of 10 units takes 1.1 seconds.
@@ -22,6 +22,7 @@ pub(crate) struct Sim {
     seed: u64,
     model: &'static str,
     watched: bool,
+    plc_scan: Option<f64>,
 }
 
 impl Sim {
@@ -36,6 +37,7 @@ impl Sim {
             seed: 0,
             model: "ACR9000",
             watched: true,
+            plc_scan: None,
         }
     }
 
@@ -75,6 +77,12 @@ impl Sim {
         self
     }
 
+    /// Seconds from one scan of the PLC programs to the next.
+    pub(crate) fn plc_scan(mut self, seconds: f64) -> Self {
+        self.plc_scan = Some(seconds);
+        self
+    }
+
     /// Whether the observer is shown every tick.
     pub(crate) fn watched(mut self, watched: bool) -> Self {
         self.watched = watched;
@@ -95,7 +103,7 @@ impl Sim {
 
     pub(crate) fn run(&self) -> Ran {
         let world = World::parse(&self.world).expect("the world of a test is valid");
-        let options = Options { world, seed: self.seed, ..Options::default() };
+        let options = Options { world, seed: self.seed, plc_scan: self.plc_scan, ..Options::default() };
         let mut controller = Controller::new(Arc::new(self.image()), options).expect("compiled programs load");
         for (port, text) in &self.typed {
             controller.offer(port.parse::<Port>().expect("a port"), text.as_bytes());
@@ -145,10 +153,14 @@ pub(crate) struct Record {
 
 impl Observer for Record {
     fn output(&mut self, sent: &Sent) {
+        let program = match sent.unit {
+            UnitName::Program(number) => Some(number),
+            UnitName::Boot | UnitName::Plc(_) => None,
+        };
         let text = sent.text.strip_suffix("\r\n").unwrap_or(sent.text).to_owned();
         let stream = sent.stream.map(|stream| stream.to_string());
         let milliseconds = milliseconds(sent.seconds);
-        self.output.push(Line { milliseconds, program: sent.program, device: sent.device, stream, text });
+        self.output.push(Line { milliseconds, program, device: sent.device, stream, text });
     }
 
     fn fault(&mut self, fault: &FaultReport) {

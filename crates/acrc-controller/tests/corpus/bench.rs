@@ -5,7 +5,7 @@ use std::sync::Arc;
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::{World, WorldEvent};
 use acrc_controller::{ChannelId, Controller, FaultReport, Observer, Options, PromptState, Sent, State, View};
-use acrc_image::Image;
+use acrc_image::{Image, UnitName};
 use acrc_syntax::units::Level;
 
 use crate::guide::Listing;
@@ -235,7 +235,10 @@ impl Bench {
 
     pub(crate) fn state(&self, program: u8) -> State {
         let programs = self.controller.programs();
-        programs.iter().find(|report| report.program == program).map_or(State::Idle, |report| report.state)
+        programs
+            .iter()
+            .find(|report| report.unit == UnitName::Program(program))
+            .map_or(State::Idle, |report| report.state)
     }
 
     /// What was printed at a device, as lines; one that is still open too.

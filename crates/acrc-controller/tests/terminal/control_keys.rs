@@ -23,6 +23,15 @@ fn ctrl_x_ends_programs_and_kills_motion_at_once() {
 }
 
 #[test]
+fn ctrl_x_ends_plc_programs() {
+    let mut desk = Desk::with("SYS\nDIM PLC0(400)\nPLC0\nPROGRAM\nLD NOT 128\nOUT 40\nENDP\nRUN\n");
+    desk.wait(0.1);
+    assert!(desk.bit(1536));
+    desk.controller.receive(desk.channel, b"\x18");
+    assert!(!desk.bit(1536));
+}
+
+#[test]
 fn ctrl_y_clears_the_kill_flags() {
     let mut desk = running();
     desk.controller.receive(desk.channel, b"\x18\x19");

@@ -52,6 +52,40 @@ fn numbered_lines_take_their_places() {
 }
 
 #[test]
+fn plc_programs_are_entered_run_and_erased() {
+    let mut desk = Desk::with("SYS\nDIM PLC0(400)\n");
+    enter(&mut desk, "PLC0\nPROGRAM\nLD 128\nOUT 40\nENDP\nRUN\nSET 128");
+    desk.wait(0.1);
+    assert!(desk.bit(40) && desk.bit(1536));
+    assert_eq!(desk.ask("20 OUT 41"), "Program is running\r\n");
+    enter(&mut desk, "HALT\n20 OUT 41\nRUN PLC0");
+    desk.wait(0.1);
+    assert!(desk.bit(41) && desk.bit(1536));
+    enter(&mut desk, "NEW PLC0");
+    assert_eq!(desk.ask("LIST"), "");
+    enter(&mut desk, "RUN");
+    assert!(!desk.bit(1536));
+}
+
+#[test]
+fn a_plc_program_with_mistakes_says_so_when_it_is_started() {
+    let mut desk = Desk::with("SYS\nDIM PLC0(400)\n");
+    enter(&mut desk, "PLC0\nPROGRAM\nBOGUS 1\nENDP\nRUN");
+    desk.wait(0.1);
+    assert_eq!(desk.log.faults.len(), 1, "{:?}", desk.log.faults);
+    assert!(desk.log.faults[0].starts_with("PLC0 line 10 statement 1: "), "{:?}", desk.log.faults);
+}
+
+#[test]
+fn pboot_starts_a_text_that_was_edited() {
+    let mut desk = Desk::with("SYS\nDIM P(4)\nDIM PLC0(400)\n");
+    enter(&mut desk, "PLC0\nPROGRAM\nPBOOT\nLD NOT 128\nOUT 40\nENDP\nPROG0\nPROGRAM\nPBOOT\nP0 = 5\nENDP\nSYS\nPBOOT");
+    desk.wait(0.1);
+    assert!(desk.bit(40));
+    assert_eq!(desk.ask("?P0"), "5\r\n");
+}
+
+#[test]
 fn a_range_of_lines_is_listed() {
     let mut desk = Desk::machine();
     enter(&mut desk, "PROGRAM\nVEL 1\nVEL 2\nVEL 3\nVEL 4\nENDP");

@@ -2,6 +2,7 @@
 
 use acrc_catalog::OperandClass;
 
+use super::same;
 use crate::fault::FaultKind;
 
 /// One array, or the string variables.
@@ -28,6 +29,13 @@ impl<T: Clone + Default> Block<T> {
     }
 }
 
+impl<T> Block<T> {
+    /// Whether both hold equal elements.
+    pub(crate) fn equals(&self, other: &Self, equal: impl Fn(&T, &T) -> bool) -> bool {
+        self.length == other.length && same(&self.items, &other.items, equal)
+    }
+}
+
 /// All arrays of one class.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays<T> {
@@ -45,6 +53,11 @@ impl<T: Clone + Default> Arrays<T> {
     /// The arrays, in order.
     pub(crate) fn blocks(&self) -> &[Block<T>] {
         &self.arrays
+    }
+
+    /// Whether all arrays hold equal elements.
+    pub(crate) fn equals(&self, other: &Self, equal: impl Fn(&T, &T) -> bool + Copy) -> bool {
+        same(&self.arrays, &other.arrays, |left, right| left.equals(right, equal))
     }
 
     /// True after `DIM` gave the references.

@@ -96,6 +96,20 @@ impl Locals {
         *self = Self::new(self.limit);
     }
 
+    /// Whether every variable has the same value, to the bit.
+    pub(crate) fn equals(&self, other: &Self) -> bool {
+        // Numbers first: they tell programs that go on from those that do not.
+        self.longs == other.longs
+            && same(&self.doubles, &other.doubles, |left, right| left.to_bits() == right.to_bits())
+            && same(&self.singles, &other.singles, |left, right| left.to_bits() == right.to_bits())
+            && self.used == other.used
+            && self.texts.equals(&other.texts, Text::eq)
+            && self.long_arrays.equals(&other.long_arrays, i32::eq)
+            && self.single_arrays.equals(&other.single_arrays, |left, right| left.to_bits() == right.to_bits())
+            && self.double_arrays.equals(&other.double_arrays, |left, right| left.to_bits() == right.to_bits())
+            && self.text_arrays.equals(&other.text_arrays, Text::eq)
+    }
+
     /// How many variables there are of a class; of an array class, how many references.
     pub fn count(&self, class: OperandClass) -> u32 {
         let count = match class {
@@ -111,6 +125,11 @@ impl Locals {
         };
         count as u32
     }
+}
+
+/// Whether two files hold equal values.
+pub(crate) fn same<T>(left: &[T], right: &[T], equal: impl Fn(&T, &T) -> bool) -> bool {
+    left.len() == right.len() && left.iter().zip(right).all(|(left, right)| equal(left, right))
 }
 
 /// Slot of `LV<n>` or `DV<n>`. `None` for a variable so far up that it is reached by its number instead.

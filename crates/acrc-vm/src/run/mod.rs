@@ -117,6 +117,11 @@ impl Meter {
         self.granted - (self.count >> 32) as u32
     }
 
+    /// The statement that was begun last begins anew in a later run, which counts it.
+    fn take_back(&mut self) {
+        self.count -= u64::from(self.count as u32 > 0);
+    }
+
     /// Takes the rest of the budget away.
     fn revoke(&mut self) {
         self.granted = self.used();

@@ -38,6 +38,7 @@ pub(super) fn slow<H: Host>(
                     // The whole statement is evaluated again when a character may have come: the scratch slots may serve an immediate
                     // statement in between. A character that an earlier GETCH of the same statement took is lost.
                     frame.pc = code.statement_start(frame.pc);
+                    meter.take_back();
                     return Ok(Some(Stop::Blocked));
                 }
             }

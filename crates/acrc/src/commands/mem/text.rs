@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use acrc_analysis::memory::{
-    Allocation, Calls, Exact, IssueKind, Part, ProgramReport, Report, Space, SystemBlock, SystemLine, grouped,
+    Allocation, Calls, Exact, IssueKind, Part, ProgramReport, Report, Space, SystemBlock, SystemLine, grouped, space_of,
 };
 
 use super::Account;
@@ -78,9 +78,8 @@ impl Page {
         let left = format!("{}: system memory of an {}", account.title, report.model.name);
         self.heading(text, &left, &total, false);
         self.bar(text, report.used(), report.total);
-        let has_text = |block: SystemBlock| {
-            report.programs.iter().any(|program| SystemBlock::of_level(program.level) == Some(block))
-        };
+        let has_text =
+            |block: SystemBlock| report.programs.iter().any(|program| space_of(program.level) == Some(block));
         let (programs, others): (Vec<_>, Vec<_>) =
             report.system.iter().partition(|line| matches!(line.block, SystemBlock::Program(_) | SystemBlock::Plc(_)));
         let (stored, empty): (Vec<_>, Vec<_>) =

@@ -69,7 +69,7 @@ pub(super) fn run(session: &mut Session, name: &str, terminal: Terminal) -> anyh
 fn greet(session: &Session, name: &str, terminal: Terminal) -> io::Result<()> {
     let stored = session.controller.programs();
     let programs: Vec<String> =
-        stored.iter().map(|program| format!("PROG{} {}", program.program, program.state.name())).collect();
+        stored.iter().map(|program| format!("{} {}", program.unit, program.state.name())).collect();
     let programs = if programs.is_empty() { "no program is stored".to_owned() } else { programs.join(", ") };
     let mut out = io::stdout().lock();
     writeln!(

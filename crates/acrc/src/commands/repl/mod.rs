@@ -60,7 +60,7 @@ fn prepare(
     kept: Option<&Saved>,
     color: ColorChoice,
 ) -> anyhow::Result<Option<(String, Image, Options)>> {
-    let options = |world, angles| Options { world, seed: arguments.seed, angles };
+    let options = |world, angles| Options { world, seed: arguments.seed, angles, ..Options::default() };
     let Some(path) = &arguments.project else {
         let of_state = || kept.map_or(acrc_catalog::default_model().name, |saved| &saved.model);
         let model = arguments.model.map_or_else(of_state, |model| model.name);

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use acrc_controller::nonvolatile::Saved;
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, Sent, StreamName, View};
+use acrc_image::UnitName;
 use acrc_syntax::units::Level;
 
 use crate::cli::Speed;
@@ -149,20 +150,21 @@ struct Notes {
 
 impl Observer for Notes {
     fn output(&mut self, sent: &Sent) {
-        let source = match (sent.program, sent.stream) {
+        let unit = if sent.unit == UnitName::Boot { "setup".to_owned() } else { sent.unit.to_string() };
+        let source = match (sent.unit, sent.stream) {
             (_, Some(stream)) if stream == self.stream => return,
-            (None, None) => "setup".to_owned(),
-            (None, Some(stream)) => format!("setup {stream}"),
             // What a program prints on device 0 is for those who listen to it.
-            (Some(_), None) => return,
-            (Some(program), Some(stream)) => format!("PROG{program} {stream}"),
+            (UnitName::Program(_), None) => return,
+            (_, None) => unit,
+            (_, Some(stream)) => format!("{unit} {stream}"),
         };
         let text = sent.text.trim_end_matches(['\r', '\n']).escape_debug();
         self.list.push(Note { text: format!("{source}: {text}"), shown_to_listeners: false });
     }
 
     fn fault(&mut self, fault: &FaultReport) {
-        self.list.push(Note { text: fault.to_string(), shown_to_listeners: fault.program.is_some() });
+        self.list
+            .push(Note { text: fault.to_string(), shown_to_listeners: matches!(fault.unit, UnitName::Program(_)) });
     }
 
     fn saved(&mut self, saved: &Saved) {

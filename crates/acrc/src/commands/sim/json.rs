@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use acrc_controller::{State, Stopped};
+use acrc_image::UnitName;
 use acrc_vm::Value;
 use serde::Serialize;
 
-use super::observer::source;
 use super::summary::Report;
 use crate::output;
 
@@ -81,7 +81,7 @@ pub(super) fn print(report: &Report) -> anyhow::Result<()> {
 
 fn document(report: &Report) -> Document {
     let controller = report.controller;
-    let program_name = |number: Option<u8>| number.map(|number| source(Some(number)));
+    let name = |unit: UnitName| (unit != UnitName::Boot).then(|| unit.to_string());
     Document {
         virtual_seconds: controller.seconds(),
         stopped: match report.stopped {
@@ -94,7 +94,7 @@ fn document(report: &Report) -> Document {
             .programs()
             .into_iter()
             .map(|program| Program {
-                program: source(Some(program.program)),
+                program: program.unit.to_string(),
                 state: program.state.name(),
                 line: program.line,
                 awaits: program.awaits.map(|port| port.to_string()),
@@ -128,7 +128,7 @@ fn document(report: &Report) -> Document {
             .iter()
             .map(|line| Output {
                 time: line.seconds,
-                program: program_name(line.program),
+                program: name(line.unit),
                 device: line.device,
                 stream: line.stream.map(|stream| stream.to_string()),
                 text: line.text.clone(),
@@ -140,7 +140,7 @@ fn document(report: &Report) -> Document {
             .iter()
             .map(|fault| Fault {
                 time: fault.seconds,
-                program: program_name(fault.program),
+                program: name(fault.unit),
                 file: fault.file.clone(),
                 line: fault.line,
                 statement: fault.statement,

@@ -37,6 +37,7 @@ struct Setup {
     world: World,
     angles: AngleUnit,
     start: Vec<u8>,
+    plcs: Vec<u8>,
     until: f64,
     title: String,
     notes: Vec<String>,
@@ -54,9 +55,9 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         Some(project) => of_project(arguments, project, color)?,
         None => of_state(arguments, state.as_ref())?,
     };
-    let Setup { image, world, angles, mut start, until, title, mut notes } = setup;
+    let Setup { image, world, angles, mut start, plcs, until, title, mut notes } = setup;
     let mut recorder = Recorder::new(arguments, &image, &world)?;
-    let options = Options { world, seed: arguments.seed, angles };
+    let options = Options { world, seed: arguments.seed, angles, plcs, ..Options::default() };
     let kept = state.as_ref().and_then(|state| state.saved.as_ref());
     let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
         .with_context(|| State::cannot_power_up(state.as_ref()))?;
@@ -105,6 +106,7 @@ fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorCho
     if image.boot.words.is_empty() && image.programs.is_empty() {
         bail!("{} holds no statement: there is nothing to run", arguments.project.display());
     }
+    let plcs = plcs_to_start(project, &image)?;
     let (start, mut notes) = programs_to_start(arguments, project, &image)?;
     refuse_unsupported(&image, &start)?;
     let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
@@ -114,7 +116,7 @@ fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorCho
         notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
     }
     let angles = angles(arguments.angles, Some(project));
-    Ok(Setup { image: Arc::new(image), world, angles, start, until, title: title(project).to_owned(), notes })
+    Ok(Setup { image: Arc::new(image), world, angles, start, plcs, until, title: title(project).to_owned(), notes })
 }
 
 /// A controller that is only switched on.
@@ -127,6 +129,7 @@ fn of_state(arguments: &SimArguments, state: Option<&State>) -> anyhow::Result<S
         world: arguments.world.as_deref().map_or_else(|| Ok(World::default()), read_world)?,
         angles: angles(arguments.angles, None),
         start: Vec::new(),
+        plcs: Vec::new(),
         until: arguments.until.unwrap_or(DEFAULT_UNTIL),
         title: "stored programs".to_owned(),
         notes: Vec::new(),
@@ -196,15 +199,14 @@ fn programs_to_start(
         for target in targets {
             match target.0 {
                 Level::Program(number) => asked.push(number),
-                Level::Plc(number) => bail!("PLC{number} cannot be started: the dry run does not execute PLC programs"),
-                Level::System => {}
+                Level::Plc(_) | Level::System => {}
             }
         }
     }
     let stored: Vec<u8> = image.programs.iter().filter_map(|unit| program_number(unit.name)).collect();
     if asked.is_empty() {
         asked = Controller::boot_programs(image);
-        if asked.is_empty() && !stored.is_empty() && !starts_programs(image) {
+        if asked.is_empty() && !stored.is_empty() && !starts_programs(image) && !starts_plcs(project, image) {
             bail!("no program starts by itself: none begins with PBOOT. --run {} starts one", list(&stored));
         }
     }
@@ -222,6 +224,24 @@ fn programs_to_start(
     asked.sort_unstable();
     asked.dedup();
     Ok((asked, notes))
+}
+
+/// The PLC programs that the project names; those that begin with `PBOOT` start by themselves.
+fn plcs_to_start(project: &LoadedProject, image: &Image) -> anyhow::Result<Vec<u8>> {
+    let targets = project.config.sim.run.iter().flatten();
+    let numbers = targets.filter_map(|target| if let Level::Plc(number) = target.0 { Some(number) } else { None });
+    let numbers: Vec<u8> = numbers.collect();
+    let stored = |number: u8| image.programs.iter().any(|unit| unit.name == UnitName::Plc(number));
+    match numbers.iter().find(|number| !stored(**number)) {
+        Some(number) => bail!("PLC{number} has no text, so it cannot be started"),
+        None => Ok(numbers),
+    }
+}
+
+/// Whether a PLC program runs from the beginning.
+fn starts_plcs(project: &LoadedProject, image: &Image) -> bool {
+    let named = project.config.sim.run.iter().flatten().any(|target| matches!(target.0, Level::Plc(_)));
+    named || image.programs.iter().any(Controller::boots_as_plc)
 }
 
 /// Whether setup code switches to the prompt of a program.

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use acrc_controller::nonvolatile::Saved;
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{FaultReport, Observer, Sent, StreamName, View};
+use acrc_image::UnitName;
 
 use super::ports::Outputs;
 use super::recorder::Recorder;
@@ -19,7 +20,7 @@ const KEPT_OUTPUT: usize = 100_000;
 #[derive(Debug)]
 pub(super) struct Line {
     pub(super) seconds: f64,
-    pub(super) program: Option<u8>,
+    pub(super) unit: UnitName,
     pub(super) device: i32,
     pub(super) stream: Option<StreamName>,
     pub(super) text: String,
@@ -34,8 +35,8 @@ pub(super) struct Record {
     pub(super) faults: Vec<FaultReport>,
 }
 
-/// Where text comes from and goes to: program, device, stream.
-type Route = (Option<u8>, i32, Option<StreamName>);
+/// Where text comes from and goes to: unit, device, stream.
+type Route = (UnitName, i32, Option<StreamName>);
 
 /// The observer of `acrc sim`.
 pub(super) struct RunObserver<'a> {
@@ -66,8 +67,8 @@ impl<'a> RunObserver<'a> {
 
     /// What was recorded, with the lines that never ended; or why it could not be shown or written.
     pub(super) fn finish(mut self) -> anyhow::Result<Record> {
-        for ((program, device, stream), (seconds, text)) in std::mem::take(&mut self.open) {
-            self.line(Line { seconds, program, device, stream, text });
+        for ((unit, device, stream), (seconds, text)) in std::mem::take(&mut self.open) {
+            self.line(Line { seconds, unit, device, stream, text });
         }
         match self.failure {
             Some(error) => Err(error),
@@ -104,16 +105,16 @@ impl<'a> RunObserver<'a> {
 }
 
 /// Where a line came from.
-pub(super) fn source(program: Option<u8>) -> String {
-    program.map_or_else(|| "setup".to_owned(), |number| format!("PROG{number}"))
+pub(super) fn source(unit: UnitName) -> String {
+    if unit == UnitName::Boot { "setup".to_owned() } else { unit.to_string() }
 }
 
 /// Where a line came from, and the stream that it went to. Without a program device 0 is the terminal of the stream.
 fn route(line: &Line) -> String {
-    match (line.program, line.device, line.stream) {
-        (None, 0, Some(stream)) => stream.to_string(),
-        (program, _, Some(stream)) => format!("{} {stream}", source(program)),
-        (program, _, None) => source(program),
+    match (line.unit, line.device, line.stream) {
+        (UnitName::Boot, 0, Some(stream)) => stream.to_string(),
+        (unit, _, Some(stream)) => format!("{} {stream}", source(unit)),
+        (unit, _, None) => source(unit),
     }
 }
 
@@ -126,8 +127,8 @@ impl Observer for RunObserver<'_> {
     fn output(&mut self, sent: &Sent) {
         let written = self.outputs.write(sent);
         self.fail(written);
-        let Sent { seconds, program, device, stream, text } = *sent;
-        let route = (program, device, stream);
+        let Sent { seconds, unit, device, stream, text } = *sent;
+        let route = (unit, device, stream);
         let mut parts = text.split("\r\n").peekable();
         while let Some(part) = parts.next() {
             let ends = parts.peek().is_some();
@@ -137,7 +138,7 @@ impl Observer for RunObserver<'_> {
             let open = self.open.entry(route).or_insert_with(|| (seconds, String::new()));
             open.1.push_str(part);
             if ends && let Some((seconds, text)) = self.open.remove(&route) {
-                self.line(Line { seconds, program, device, stream, text });
+                self.line(Line { seconds, unit, device, stream, text });
             }
         }
     }

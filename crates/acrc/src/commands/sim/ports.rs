@@ -5,6 +5,7 @@ use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use acrc_controller::{Controller, Port, Sent};
+use acrc_image::UnitName;
 use anyhow::{Context as _, bail};
 
 use crate::cli::{PortFile, SimArguments};
@@ -69,7 +70,11 @@ impl Outputs {
 
     /// Writes what was sent to the file of its port, if it has one. Characters are bytes there, as on the line.
     pub(super) fn write(&mut self, sent: &Sent) -> anyhow::Result<()> {
-        let port = sent.stream.map(Port::Stream).or(sent.program.map(Port::Listener));
+        let listener = match sent.unit {
+            UnitName::Program(number) => Some(Port::Listener(number)),
+            UnitName::Boot | UnitName::Plc(_) => None,
+        };
+        let port = sent.stream.map(Port::Stream).or(listener);
         let Some((path, file)) = port.and_then(|port| self.files.get_mut(&port)) else { return Ok(()) };
         let bytes: Vec<u8> = sent.text.chars().map(|character| u8::try_from(character).unwrap_or(b'?')).collect();
         file.write_all(&bytes).with_context(|| format!("cannot write {}", path.display()))

@@ -74,7 +74,7 @@ fn programs(text: &mut String, report: &Report, terminal: Terminal) {
         .iter()
         .map(|program| {
             let line = program.line.map_or_else(String::new, |line| format!("line {line}"));
-            let name = format!("PROG{}", program.program);
+            let name = program.unit.to_string();
             format!("{name:<7} {:<8} {line:<9} {:>9} statements", program.state.name(), program.statements)
         })
         .collect();
@@ -147,13 +147,13 @@ pub(super) fn notes_of(controller: &Controller, record: &Record) -> Vec<String> 
     for axis in controller.axes().iter().filter(|axis| axis.moved_disabled) {
         notes.push(format!("{} moved although its drive was never enabled (DRIVE ON)", axis_title(axis)));
     }
-    for (program, port) in controller.programs().iter().filter_map(|report| Some((report.program, report.awaits?))) {
+    for (unit, port) in controller.programs().iter().filter_map(|report| Some((report.unit, report.awaits?))) {
         let place = match port {
             Port::Stream(stream) => format!("at {stream}"),
             Port::Listener(_) => "from whoever listens to it".to_owned(),
         };
         notes.push(format!(
-            "PROG{program} waits for input {place}: --input {port}=FILE types there, or an event with stream = \"{port}\" and a text"
+            "{unit} waits for input {place}: --input {port}=FILE types there, or an event with stream = \"{port}\" and a text"
         ));
     }
     if record.dropped > 0 {
