@@ -36,14 +36,6 @@ pub enum ControllerError {
         /// Bytes left.
         free: u32,
     },
-    /// A stream that the model does not have.
-    #[error("{stream} does not exist: this controller has {}", .streams.join(", "))]
-    NoSuchStream {
-        /// The stream.
-        stream: String,
-        /// Those that there are.
-        streams: &'static [&'static str],
-    },
     /// Space that `CLEAR` cannot free yet.
     #[error("{block} has a program: NEW erases it before CLEAR can free its space")]
     Stored {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use acrc_catalog::memory::{Stream, SystemBlock};
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Model, memory};
 
 use crate::error::ControllerError;
@@ -104,13 +104,7 @@ impl SystemMemory {
 
     /// Size of the buffer of a stream.
     pub(crate) fn stream_bytes(&self, stream: StreamName) -> u32 {
-        let stream = match stream {
-            StreamName::Stream(number) => Stream::Numbered(number),
-            StreamName::Fifo => Stream::Fifo,
-            StreamName::DualPort => Stream::Dpcb,
-            StreamName::Com(number) => Stream::Com(number),
-        };
-        self.size(SystemBlock::Stream(stream)).unwrap_or(memory::FACTORY_STREAM_BYTES)
+        self.size(SystemBlock::Stream(stream.into())).unwrap_or(memory::FACTORY_STREAM_BYTES)
     }
 
     /// The user parameters.

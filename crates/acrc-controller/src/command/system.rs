@@ -1,6 +1,6 @@
 //! Levels, memory and program control (guide, "Operating System", "Memory Control", "Program Control").
 
-use acrc_catalog::memory::{Stream, SystemBlock};
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{CommandId, Keyword, ObjectKind, command};
 use acrc_syntax::units::Level;
 use acrc_vm::{Arg, Call, Outcome};
@@ -11,6 +11,7 @@ use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::request::{Query, Request};
 use crate::task::Task;
+use crate::terminal::StreamName;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::SYS, Action::Run(level)),
@@ -180,19 +181,14 @@ fn clear_stream(context: &mut Context, call: &Call) -> Result<Outcome, Controlle
 /// The buffer of the stream that a `DIM` or `CLEAR` is about.
 fn stream_block(machine: &Machine, command: CommandId, index: i64) -> Result<SystemBlock, ControllerError> {
     let stream = match command {
-        command::DIM_COM1 | command::CLEAR_COM1 => Stream::Com(1),
-        command::DIM_COM2 | command::CLEAR_COM2 => Stream::Com(2),
-        command::DIM_FIFO | command::CLEAR_FIFO => Stream::Fifo,
-        command::DIM_DPCB | command::CLEAR_DPCB => Stream::Dpcb,
-        _ => Stream::Numbered(u8::try_from(index).unwrap_or(u8::MAX)),
+        command::DIM_COM1 | command::CLEAR_COM1 => StreamName::Com(1),
+        command::DIM_COM2 | command::CLEAR_COM2 => StreamName::Com(2),
+        command::DIM_FIFO | command::CLEAR_FIFO => StreamName::Fifo,
+        command::DIM_DPCB | command::CLEAR_DPCB => StreamName::DualPort,
+        _ => StreamName::Stream(u8::try_from(index).unwrap_or(u8::MAX)),
     };
-    let block = SystemBlock::Stream(stream);
-    let (name, streams) = (block.to_string(), machine.model.streams);
-    if streams.contains(&name.as_str()) {
-        Ok(block)
-    } else {
-        Err(ControllerError::NoSuchStream { stream: name, streams })
-    }
+    stream.check(machine.model).map_err(|error| ControllerError::Device(error.into()))?;
+    Ok(SystemBlock::Stream(stream.into()))
 }
 
 /// `PERIOD` sets the servo period; a run keeps the one it started with.

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use acrc_catalog::Model;
+use acrc_catalog::{Model, memory};
 use thiserror::Error;
 
 /// A communication stream of a controller.
@@ -78,5 +78,17 @@ impl FromStr for StreamName {
             (None, None) => None,
         };
         stream.ok_or_else(|| StreamError::Unknown(text.to_owned()))
+    }
+}
+
+/// The buffer of a stream.
+impl From<StreamName> for memory::Stream {
+    fn from(name: StreamName) -> Self {
+        match name {
+            StreamName::Stream(number) => Self::Numbered(number),
+            StreamName::Fifo => Self::Fifo,
+            StreamName::DualPort => Self::Dpcb,
+            StreamName::Com(number) => Self::Com(number),
+        }
     }
 }

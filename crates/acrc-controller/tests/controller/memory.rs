@@ -92,7 +92,7 @@ fn stream_buffers_take_system_memory_once() {
     );
     assert_eq!(
         sim("DIM FIFO(512)").faults(),
-        ["FIFO does not exist: this controller has COM1, COM2, STREAM1, STREAM2, STREAM3, STREAM4, STREAM5"]
+        ["ACR9000 has no FIFO: its streams are COM1, COM2, STREAM1, STREAM2, STREAM3, STREAM4, STREAM5"]
     );
 }
 
