@@ -41,3 +41,19 @@ fn events_give_parameters_a_value() {
     assert_eq!(ran.record.output.iter().map(|line| &*line.text).collect::<Vec<_>>(), ["0", "2.5\t7"]);
     assert_eq!(ran.notes(), ["an event gives P4095 a value for which the controller has no room"]);
 }
+
+#[test]
+fn flags_of_networks_and_hardware_come_from_outside() {
+    let world = "[inputs]\npart = 11520\n[[event]]\nat = 0.5\nset = [\"part\", 5646, 128]\n[[event]]\nat = 1.5\nclear = [5646]\n";
+    let program = "WHILE (P6916 < 2000)\nPRINT BIT 11520; BIT 5646; BIT 128\nDWL 0.9\nWEND";
+    let ran = Sim::program(program).world(world).run().clean();
+    let lines: Vec<&str> = ran.record.output.iter().map(|line| line.text.as_str()).collect();
+    assert_eq!(lines, ["000", "-1-1-1", "-10-1"]);
+}
+
+#[test]
+fn what_the_world_holds_outlasts_a_restart() {
+    let world = "[[event]]\nat = 0.1\nset = [4, 11520]\n";
+    let ran = Sim::new("PROG0\nPROGRAM\nSET 40\nDWL 0.5\nREBOOT\nENDP\n").start(&[0]).world(world).until(1.0).run();
+    assert_eq!([4, 11_520, 40].map(|flag| ran.bit(flag)), [true, true, false]);
+}
