@@ -18,6 +18,7 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::PRINT, Action::Run(print)),
     (command::INPUT, Action::Run(input)),
     (command::OPEN, Action::Run(open)),
+    (command::OPEN_DTALK, Action::Run(open_drive_talk)),
     (command::CLOSE, Action::Run(close)),
 ];
 
@@ -85,6 +86,13 @@ fn open(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
         (None, None) => streams.open(device, stream),
     }
     Ok(Outcome::Done)
+}
+
+/// `OPEN DTALK "COM2:9600,N,8,1" AS #1`: the port belongs to the drives from now on.
+fn open_drive_talk(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let note = "OPEN DTALK: no drive answers in a dry run; what drives report comes from the world";
+    context.machine.notes.insert(note.to_owned());
+    open(context, call)
 }
 
 /// `CLOSE #1`. Closing a device that is not open changes nothing.

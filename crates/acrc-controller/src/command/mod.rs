@@ -10,6 +10,7 @@ mod io;
 mod ladder;
 mod logic;
 mod moves;
+mod network;
 mod nonvolatile;
 mod profile;
 mod reports;
@@ -85,6 +86,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         ladder::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,
+        network::COMMANDS,
         nonvolatile::COMMANDS,
         profile::COMMANDS,
         reports::COMMANDS,

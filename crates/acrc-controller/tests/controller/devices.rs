@@ -153,3 +153,16 @@ fn a_restart_closes_the_devices() {
     let ran = Sim::new(&project).start(&[0]).offer("COM1", "a\nb\n").run().clean();
     assert_eq!(text(&ran), "a||got a");
 }
+
+#[test]
+fn drives_and_networks_that_are_not_there_leave_a_note() {
+    let ran = Sim::program("OPEN DTALK \"COM2:9600,N,8,1\" AS #1\nEPLC OFF\nEPLC ON\nOPEN \"COM2:\" AS #2").run();
+    assert_eq!(ran.record.faults[0].message, "COM2 is open already, as #1: CLOSE #1 comes first");
+    assert_eq!(
+        ran.notes(),
+        [
+            "EPLC ON and EPLC OFF: there is no network in a dry run; its state comes from the world",
+            "OPEN DTALK: no drive answers in a dry run; what drives report comes from the world",
+        ]
+    );
+}

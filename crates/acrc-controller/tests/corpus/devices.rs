@@ -19,6 +19,7 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
             Shows(fruit_line_stays_open),
         ],
     ),
+    (53, &[Shows(epl_operational), Shows(epl_second_start), Shows(epl_problem), Shows(epl_alias)]),
     (
         57,
         &[
@@ -42,6 +43,7 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
         ],
     ),
     (60, &[Shows(can_operational), Shows(can_problem), Shows(can_reset_is_remembered)]),
+    (62, &[Shows(drive_talk_flags), Shows(drive_talk_values)]),
 ];
 
 fn drive_dwell(listing: &Listing, fact: &Fact) {
@@ -59,6 +61,36 @@ fn drive_messages(listing: &Listing, fact: &Fact) {
 fn bit_in_any_case(_: &Listing, _: &Fact) {
     let mut bench = Bench::setup("SET 40\n");
     assert_eq!(["?bit 40", "?Bit40", "?BIT40"].map(|line| bench.number(line)), [-1.0; 3]);
+}
+
+/// What is printed with a network whose flags change like this; its card answers at once.
+fn powerlink(listing: &Listing, changes: &[(f64, u32, bool)]) -> Bench {
+    let inputs: Vec<_> = [(0.0, 16_648, true)].iter().chain(changes).copied().collect();
+    let mut bench = Bench::planned(listing, &Plan { inputs: &inputs, unwatched: true, ..Plan::default() });
+    bench.pass(5.0).clean();
+    assert_eq!(bench.state(0), State::Ended);
+    bench
+}
+
+fn epl_operational(listing: &Listing, fact: &Fact) {
+    let starts = [(0.0, 16_640, true), (0.5, 16_649, true), (0.6, 16_640, false)];
+    assert_eq!(powerlink(listing, &starts).printed(0), fact.texts());
+}
+
+fn epl_second_start(listing: &Listing, fact: &Fact) {
+    let told = powerlink(listing, &[(0.1, 16_650, true)]).record.lines[0].seconds;
+    // The network comes up while the program has it reset and started again.
+    let fails = [(0.1, 16_650, true), (told + 0.001, 16_649, true)];
+    assert_eq!(powerlink(listing, &fails).printed(0), fact.texts());
+}
+
+fn epl_problem(listing: &Listing, fact: &Fact) {
+    assert_eq!(powerlink(listing, &[(0.1, 16_650, true)]).printed(0), fact.texts());
+}
+
+fn epl_alias(listing: &Listing, _: &Fact) {
+    assert!(powerlink(listing, &[(0.1, 16_650, true)]).bit(150));
+    assert!(!powerlink(listing, &[(0.1, 16_649, true)]).bit(150));
 }
 
 /// The dialogue with keys typed, half a second apart.
@@ -257,4 +289,22 @@ fn can_reset_is_remembered(listing: &Listing, _: &Fact) {
     assert!(bench.bit(151));
     bench.pass(100.0);
     assert!(bench.bit(151));
+}
+
+fn drive_talk_flags(listing: &Listing, _: &Fact) {
+    let mut bench = Bench::of(listing);
+    bench.pass(0.5).clean();
+    for axis in 0..2 {
+        for index in [9, 4] {
+            assert!(listing.text.contains(&format!("SET {}", 10_496 + 32 * axis + index)));
+        }
+        assert!(bench.bit(10_496 + 32 * axis + 9));
+    }
+}
+
+fn drive_talk_values(listing: &Listing, fact: &Fact) {
+    let names = fact.texts();
+    let parameters = [(0.0, names[0], 12.0), (0.0, names[1], 34.0)];
+    let mut bench = Bench::planned(listing, &Plan { parameters: &parameters, ..Plan::default() });
+    assert_eq!(bench.pass(0.5).clean().printed(0), ["12", "34", "12", "34"]);
 }

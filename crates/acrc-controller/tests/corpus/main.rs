@@ -30,11 +30,8 @@ const REFUSED: &[(u8, &[&str])] = &[
     (49, &["JOG HOME", "MSEEK"]),
     (50, &["JOG HOME"]),
     (51, &["JOG ABS", "JOG INC"]),
-    (53, &["EPLC OFF", "EPLC ON"]),
     (54, &["JOG HOME", "MSEEK"]),
     (55, &["JOG HOME", "MSEEK"]),
-    (61, &["OPEN DTALK"]),
-    (62, &["OPEN DTALK"]),
 ];
 
 /// The files with a mistake that keeps them from being compiled.
