@@ -156,9 +156,10 @@ impl Observer for RunObserver<'_> {
             let name = |bit: &u32| view.world().input_name(*bit).map_or_else(|| format!("BIT{bit}"), str::to_owned);
             let on = event.set.iter().map(|bit| format!("{} on", name(bit)));
             let off = event.clear.iter().map(|bit| format!("{} off", name(bit)));
+            let values = event.parameters.iter().map(|(number, value)| format!("P{number} = {value}"));
             let typed =
                 event.typed.iter().map(|typed| format!("types \"{}\" at {}", typed.text.escape_ascii(), typed.port));
-            let changes = on.chain(off).chain(typed).collect::<Vec<_>>().join(", ");
+            let changes = on.chain(off).chain(values).chain(typed).collect::<Vec<_>>().join(", ");
             self.show(seconds, "world", &changes);
         }
         self.recorder.event(seconds, event);
