@@ -155,6 +155,13 @@ impl Bench {
         bench
     }
 
+    /// The file typed line by line behind its context, and the answers.
+    pub(crate) fn typed(listing: &Listing) -> (Self, Vec<String>) {
+        let mut bench = Self::terminal(listing);
+        let answers = listing.text.lines().filter(|line| !line.is_empty()).map(|line| bench.ask(line)).collect();
+        (bench, answers)
+    }
+
     /// Setup code of a test.
     pub(crate) fn setup(text: &str) -> Self {
         Self::powered(text, "ACR9000", &Plan { unwatched: true, ..Plan::default() }, &[])

@@ -6,6 +6,7 @@ mod check;
 mod devices;
 mod flow;
 mod guide;
+mod hardware;
 mod moves;
 mod recovery;
 mod setup;
@@ -15,6 +16,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use acrc_controller::Controller;
 
+use bench::Bench;
 use check::Check;
 use guide::Listing;
 
@@ -41,8 +43,8 @@ const BROKEN: &[u8] = &[63];
 type Checks = &'static [(u8, &'static [Check])];
 
 /// The checks of all files, by topic.
-const TOPICS: [Checks; 6] =
-    [flow::CHECKS, setup::CHECKS, moves::CHECKS, values::CHECKS, devices::CHECKS, recovery::CHECKS];
+const TOPICS: [Checks; 7] =
+    [flow::CHECKS, hardware::CHECKS, setup::CHECKS, moves::CHECKS, values::CHECKS, devices::CHECKS, recovery::CHECKS];
 
 fn checks(number: u8) -> Option<&'static [Check]> {
     TOPICS.iter().flat_map(|topic| topic.iter()).find(|(file, _)| *file == number).map(|(_, checks)| *checks)
@@ -74,8 +76,24 @@ fn every_fact_of_a_file_that_runs_has_a_check() {
 }
 
 #[test]
+fn files_without_facts_are_executed() {
+    for listing in Listing::all().iter().filter(|listing| listing.facts.is_empty()) {
+        let mut bench = Bench::of(listing);
+        bench.pass(1.0);
+        // A file that erases the flash memory loads from it on its next line.
+        let refused = usize::from(listing.text.contains("FLASH ERASE\nFLASH LOAD"));
+        assert_eq!(bench.record.faults.len(), refused, "{}: {:?}", listing.name, bench.record.faults);
+    }
+}
+
+#[test]
 fn flow_is_shown() {
     show(flow::CHECKS);
+}
+
+#[test]
+fn hardware_is_shown() {
+    show(hardware::CHECKS);
 }
 
 #[test]

@@ -10,14 +10,9 @@ use crate::check::{
 use crate::guide::{Fact, Listing};
 
 pub(crate) const CHECKS: &[(u8, &[Check])] = &[
-    (3, &[Shows(config_of_the_factory), Shows(config_reports)]),
-    (4, &[Shows(limit_inputs), Shows(default_limit_inputs), Later("nothing reads the inputs of limits yet")]),
-    (5, &[Shows(default_attachments)]),
-    (6, &[Shows(last_attachment), Shows(single_loop)]),
     (7, &[Shows(names_of_a_program), Shows(halt_of_the_prompt), Shows(attach_report)]),
     (8, &[Shows(memory_reports), Shows(erase_and_clear), Shows(dimensioned_again), Shows(memory_of_the_factory)]),
     (10, &[Shows(remarks_are_stored)]),
-    (11, &[]),
     (12, &[Shows(pairs), Shows(two_axes), Shows(halting)]),
     (13, &[Shows(velocity_report), Shows(first_output)]),
     (14, &[Shows(line_is_stored), Shows(line_numbers), Shows(line_is_lost)]),
@@ -36,71 +31,10 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
     ),
     (39, &[Shows(velocity_from_elsewhere)]),
     (58, &[Later("the modes act on binary packets only"), Shows(default_modes)]),
-    (61, &[]),
-    (66, &[Shows(all_steppers), Shows(two_signals)]),
-    (67, &[Shows(servos_and_steppers)]),
-    (68, &[Shows(commutation)]),
-    (69, &[]),
-    (70, &[]),
-    (71, &[]),
-    (72, &[Shows(dac_and_stepper)]),
 ];
 
-/// The file typed line by line behind its context: its answers.
-fn typed(listing: &Listing) -> (Bench, Vec<String>) {
-    let mut bench = Bench::terminal(listing);
-    let answers = listing.text.lines().filter(|line| !line.is_empty()).map(|line| bench.ask(line)).collect();
-    (bench, answers)
-}
-
-fn config_of_the_factory(listing: &Listing, _: &Fact) {
-    let first = listing.text.lines().next().expect("a line");
-    assert_eq!(Bench::setup("").ask("CONFIG").trim_end(), first);
-    let (_, answers) = typed(listing);
-    assert_eq!(answers, [String::new(), format!("{first}\n")]);
-}
-
-fn config_reports(_: &Listing, _: &Fact) {
-    let mut bench = Bench::setup("CONFIG ENC4 DAC2 NONE NONE\n");
-    assert_eq!(bench.ask("CONFIG"), "CONFIG ENC4 DAC2 NONE NONE\n");
-    assert_eq!(bench.ask("CONFIG"), "CONFIG ENC4 DAC2 NONE NONE\n");
-}
-
-fn limit_inputs(listing: &Listing, fact: &Fact) {
-    let (mut bench, _) = typed(listing);
-    assert_eq!(bench.number("HLBIT Y"), fact.numbers()[0]);
-}
-
-fn default_limit_inputs(listing: &Listing, _: &Fact) {
-    let mut bench = Bench::terminal(listing);
-    for axis in 0..8 {
-        assert_eq!(bench.number(&format!("AXIS{axis} HLBIT")), f64::from(3 * axis));
-    }
-}
-
-fn default_attachments(listing: &Listing, _: &Fact) {
-    let before = Bench::setup("").ask("ATTACH");
-    assert_eq!(before, listing.text);
-    let mut bench = Bench::planned(listing, &Plan { idle: true, ..Plan::default() });
-    assert_eq!(bench.ask("ATTACH"), before);
-}
-
-fn attached_axes(listing: &Listing) -> Vec<String> {
-    let mut bench = Bench::planned(listing, &Plan { idle: true, ..Plan::default() });
-    bench.clean();
-    bench.ask("ATTACH").lines().map(str::to_owned).collect()
-}
-
-fn last_attachment(listing: &Listing, _: &Fact) {
-    assert_eq!(attached_axes(listing)[4], "ATTACH AXIS4 ENC4 DAC4 ENC9");
-}
-
-fn single_loop(listing: &Listing, _: &Fact) {
-    assert_eq!(attached_axes(listing)[0], "ATTACH AXIS0 ENC0 DAC0 ENC0");
-}
-
 fn names_of_a_program(listing: &Listing, _: &Fact) {
-    let (mut bench, answers) = typed(listing);
+    let (mut bench, answers) = Bench::typed(listing);
     assert!(answers.iter().all(String::is_empty), "{answers:?}");
     assert_eq!(bench.ask("RES X Y"), "");
     for prompt in ["PROG1", "SYS"] {
@@ -125,7 +59,7 @@ fn halt_of_the_prompt(listing: &Listing, _: &Fact) {
 }
 
 fn attach_report(listing: &Listing, _: &Fact) {
-    let (mut bench, _) = typed(listing);
+    let (mut bench, _) = Bench::typed(listing);
     let attached: String = listing.text.split_inclusive('\n').skip(3).collect();
     assert_eq!(bench.ask("ATTACH"), attached);
 }
@@ -192,7 +126,7 @@ fn remarks_are_stored(listing: &Listing, _: &Fact) {
 }
 
 fn pairs(listing: &Listing, _: &Fact) {
-    let (mut bench, _) = typed(listing);
+    let (mut bench, _) = Bench::typed(listing);
     let sides = |axis: u32| (12_330 + 256 * axis, 12_331 + 256 * axis);
     for (axis, expected) in [(0, (0.05, -0.05)), (1, (3.0, -1.0))] {
         let (positive, negative) = sides(axis);
@@ -202,7 +136,7 @@ fn pairs(listing: &Listing, _: &Fact) {
 }
 
 fn two_axes(listing: &Listing, _: &Fact) {
-    let (mut bench, _) = typed(listing);
+    let (mut bench, _) = Bench::typed(listing);
     assert_eq!((bench.number("FBVEL X"), bench.number("FBVEL Y")), (0.0001, 0.0002));
 }
 
@@ -231,12 +165,12 @@ fn velocity_report(listing: &Listing, _: &Fact) {
 }
 
 fn first_output(listing: &Listing, _: &Fact) {
-    let (mut bench, _) = typed(listing);
+    let (mut bench, _) = Bench::typed(listing);
     assert_eq!(bench.number("?P4097"), 1.0);
 }
 
 fn line_is_stored(listing: &Listing, _: &Fact) {
-    let (mut bench, answers) = typed(listing);
+    let (mut bench, answers) = Bench::typed(listing);
     assert_eq!((answers.concat(), bench.number("VEL")), (String::new(), 0.0));
     assert!(bench.ask("LIST").ends_with("VEL 1000\n"));
     bench.ask("RUN");
@@ -244,7 +178,7 @@ fn line_is_stored(listing: &Listing, _: &Fact) {
 }
 
 fn line_numbers(listing: &Listing, _: &Fact) {
-    let (mut bench, _) = typed(listing);
+    let (mut bench, _) = Bench::typed(listing);
     bench.ask("SET 5651");
     assert_eq!(bench.ask("LIST"), listing.text);
 }
@@ -379,52 +313,4 @@ fn velocity_from_elsewhere(listing: &Listing, fact: &Fact) {
 fn default_modes(_: &Listing, _: &Fact) {
     assert_eq!(Bench::setup("").number("MODE"), 1.0);
     assert_eq!(Bench::of_model("ACR8000").number("MODE"), 0.0);
-}
-
-/// What `ATTACH` and `CONFIG` report behind the file.
-fn hardware(listing: &Listing) -> (String, Vec<String>) {
-    let attached = attached_axes(listing);
-    let mut bench = Bench::planned(listing, &Plan { idle: true, ..Plan::default() });
-    (bench.ask("CONFIG"), attached)
-}
-
-fn all_steppers(listing: &Listing, _: &Fact) {
-    let (config, attached) = hardware(listing);
-    assert_eq!(config, "CONFIG NONE STEPPER4 STEPPER4 NONE\n");
-    for (axis, line) in attached.iter().enumerate() {
-        assert!(line.starts_with(&format!("ATTACH AXIS{axis} STEPPER{axis} STEPPER{axis}")), "{line}");
-    }
-}
-
-fn two_signals(listing: &Listing, _: &Fact) {
-    let attached = attached_axes(listing);
-    // Without its third argument the source of the position serves for the velocity too.
-    let entered: Vec<&str> = listing.text.lines().filter(|line| line.starts_with("ATTACH")).collect();
-    assert_eq!(attached.len(), entered.len());
-    assert!(attached.iter().zip(&entered).all(|(attached, entered)| attached.starts_with(entered)));
-}
-
-fn servos_and_steppers(listing: &Listing, _: &Fact) {
-    let (config, attached) = hardware(listing);
-    assert_eq!(config, "CONFIG ENC4 DAC4 STEPPER4 NONE\n");
-    for (axis, line) in attached.iter().enumerate() {
-        let signals = if axis < 4 { format!("ENC{axis} DAC{axis}") } else { format!("STEPPER{axis} STEPPER{axis}") };
-        assert!(line.starts_with(&format!("ATTACH AXIS{axis} {signals}")), "{line}");
-    }
-}
-
-fn commutation(listing: &Listing, _: &Fact) {
-    let (_, attached) = hardware(listing);
-    assert_eq!(&attached[..2], ["ATTACH AXIS0 ENC0 CMT0 ENC0", "ATTACH AXIS1 ENC2 CMT1 ENC2"]);
-    let mut bench = Bench::planned(listing, &Plan { idle: true, ..Plan::default() });
-    assert_eq!((bench.ask("CMT0 ENC"), bench.ask("CMT0 DAC")), ("ENC0\nENC1\n".into(), "DAC0\nDAC1\n".into()));
-    assert_eq!((bench.ask("CMT1 ENC"), bench.ask("CMT1 DAC")), ("ENC2\nENC3\n".into(), "DAC2\nDAC3\n".into()));
-}
-
-fn dac_and_stepper(listing: &Listing, _: &Fact) {
-    let (config, attached) = hardware(listing);
-    assert_eq!(config, "CONFIG ENC3 DACSTEP2 NONE ADC8\n");
-    assert!(
-        attached[0].starts_with("ATTACH AXIS0 ENC0 DAC0") && attached[1].starts_with("ATTACH AXIS1 STEPPER0 STEPPER0")
-    );
 }
