@@ -74,6 +74,12 @@ impl Fact {
     }
 }
 
+/// The model with the most axes, since one listing is printed for a model that has too few for it.
+fn largest(models: &[String]) -> String {
+    let known = models.iter().filter_map(|model| acrc_catalog::model(model));
+    known.max_by_key(|model| model.axes).map_or(MODEL, |model| model.name).to_owned()
+}
+
 fn real(value: &toml::Value) -> f64 {
     match value {
         toml::Value::Integer(number) => *number as f64,
@@ -127,12 +133,7 @@ impl Listing {
             number: digits.parse().expect("a name that begins with a number"),
             text: std::fs::read_to_string(path.with_extension("8K")).expect("the text beside its notes"),
             entered: notes.kind == "setup",
-            model: notes
-                .models
-                .iter()
-                .find(|model| acrc_catalog::model(model).is_some())
-                .cloned()
-                .unwrap_or(MODEL.to_owned()),
+            model: largest(&notes.models),
             context: notes.context.iter().flat_map(|line| [line, "\n"]).collect(),
             facts: notes.behaviour,
             name,
