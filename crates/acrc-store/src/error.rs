@@ -13,8 +13,7 @@ pub enum StoreError {
     Io {
         /// The file or folder.
         path: PathBuf,
-        /// Why.
-        #[source]
+        /// Why. Part of the message, so that who prints the chain of errors does not say it twice.
         problem: io::Error,
     },
     /// Another process has it.
