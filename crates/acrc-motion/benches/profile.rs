@@ -4,7 +4,9 @@
 
 use std::hint::black_box;
 
-use acrc_motion::{Master, Move, MoveSettings, Profile, ProfileRequest, Target};
+use acrc_motion::{
+    Arc, ControlPoint, CurveBuilder, Lookahead, Master, Move, MoveSettings, Profile, ProfileRequest, Span, Target, Turn,
+};
 use criterion::{Criterion, criterion_group, criterion_main};
 use rsruckig::prelude::*;
 
@@ -90,5 +92,77 @@ fn tick(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, plan, sample, tick);
+/// Moves of the kinds that bend, in a queue of 64.
+fn curves(criterion: &mut Criterion) {
+    let settings = MoveSettings { velocity: 20.0, acceleration: 10.0, deceleration: 10.0, ..MoveSettings::default() };
+    let circle = Arc {
+        slots: [0, 1],
+        target: [0.0, 0.0],
+        center: [10.0, 0.0],
+        relative_target: false,
+        relative_center: false,
+        turn: Turn::Clockwise,
+    };
+    let line = Move::new(settings).to(0, Target::Relative(1.0)).to(1, Target::Relative(0.1));
+    let mut group = criterion.benchmark_group("push");
+    let one = |looks: bool, jerk: f64| {
+        let mut master = Master::new(64);
+        master.set_lookahead(looks.then_some(Lookahead { full: 10.0, stop: 90.0 })).expect("the values are valid");
+        let mut line = line;
+        line.settings.jerk = jerk;
+        move |command: Option<&Move>| {
+            if !master.can_accept() {
+                master.kill();
+            }
+            master.push(command.unwrap_or(&line))
+        }
+    };
+    let mut plain = one(false, 0.0);
+    group.bench_function("line", |b| b.iter(|| plain(None)));
+    let arc = Move::new(settings).arc(circle);
+    group.bench_function("arc", |b| b.iter(|| plain(Some(black_box(&arc)))));
+    let mut looking = one(true, 0.0);
+    group.bench_function("line_looking_ahead", |b| b.iter(|| looking(None)));
+    let mut bending = one(true, 100.0);
+    group.bench_function("s_curve_looking_ahead", |b| b.iter(|| bending(None)));
+    let span = span();
+    let mut master = Master::new(64);
+    group.bench_function("piece_of_a_curve", |b| {
+        b.iter(|| {
+            if !master.can_accept() {
+                master.kill();
+            }
+            master.push_span(&Move::new(settings), black_box(&span))
+        });
+    });
+    group.finish();
+
+    let mut group = criterion.benchmark_group("tick");
+    let slow = MoveSettings { velocity: 1e-9, ..MoveSettings::default() };
+    let mut arcs = Master::new(1);
+    arcs.push(&Move::new(slow).arc(circle)).expect("the values are valid");
+    let mut spans = Master::new(1);
+    spans.push_span(&Move::new(slow), &span).expect("the values are valid");
+    for (name, master) in [("arc_read", &mut arcs), ("piece_of_a_curve_read", &mut spans)] {
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let master = black_box(&mut *master);
+                master.advance(0.0005);
+                (0..2).map(|slot| master.position(slot) + master.velocity(slot)).sum::<f64>()
+            });
+        });
+    }
+    group.finish();
+}
+
+/// One piece of a spline in two axes.
+fn span() -> Span {
+    let mut curve = CurveBuilder::spline();
+    for (x, y) in [(0.0, 0.0), (5.0, 3.0), (9.0, -2.0)] {
+        curve.push(None, Some(&ControlPoint::new().at(0, x).at(1, y))).expect("the values are valid");
+    }
+    curve.finish().expect("the curve has pieces")
+}
+
+criterion_group!(benches, plan, sample, tick, curves);
 criterion_main!(benches);

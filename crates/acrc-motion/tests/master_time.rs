@@ -13,6 +13,10 @@ enum Event {
     Start,
     Stop,
     Kill,
+    OpenGate,
+    Interrupt,
+    Redirect(f64),
+    Replace(Box<Move>),
 }
 
 fn event() -> impl Strategy<Value = Event> {
@@ -24,6 +28,10 @@ fn event() -> impl Strategy<Value = Event> {
         2 => Just(Event::Start),
         1 => Just(Event::Stop),
         1 => Just(Event::Kill),
+        2 => Just(Event::OpenGate),
+        1 => Just(Event::Interrupt),
+        1 => (-10.0..10.0_f64).prop_map(Event::Redirect),
+        1 => moves().prop_map(|command| Event::Replace(Box::new(command))),
     ]
 }
 
@@ -36,6 +44,8 @@ prop_compose! {
         blends in any::<bool>(),
         curved in any::<bool>(),
         initial_velocity in 0.0..2.0_f64,
+        gated in prop::bool::weighted(0.1),
+        interruptible in prop::bool::weighted(0.2),
     ) -> Move {
         let [acceleration, deceleration, stop] = ramps;
         let settings = MoveSettings {
@@ -44,7 +54,10 @@ prop_compose! {
             jerk: if curved { 2000.0 } else { 0.0 },
             ..MoveSettings::default()
         };
-        Move::new(settings).to(0, Target::Absolute(x)).to(1, Target::Relative(y))
+        let mut command = Move::new(settings).to(0, Target::Absolute(x)).to(1, Target::Relative(y));
+        command.gate = gated.then_some(1);
+        command.interrupt = interruptible.then_some(2);
+        command
     }
 }
 
@@ -57,6 +70,10 @@ fn apply(master: &mut Master, event: &Event) {
         Event::Start => master.cycle_start(),
         Event::Stop => master.stop(),
         Event::Kill => master.kill(),
+        Event::OpenGate => master.open_gate(),
+        Event::Interrupt => master.interrupt(),
+        Event::Redirect(end) => drop(master.redirect(0, *end)),
+        Event::Replace(command) => drop(master.replace(command)),
     }
 }
 
@@ -110,8 +127,11 @@ proptest! {
         let mut coarse = Master::new(8);
         let mut fine = Master::new(8);
         for command in &commands {
-            coarse.push(command).unwrap();
-            fine.push(command).unwrap();
+            let mut command = *command;
+            command.gate = None;
+            command.interrupt = None;
+            coarse.push(&command).unwrap();
+            fine.push(&command).unwrap();
         }
         coarse.advance(seconds);
         fine.advance_ticks(1000, seconds / 1000.0);

@@ -1,27 +1,50 @@
-//! A coordinated-move profiler (the guide's "Coordinated Moves Profiler", FOV, VECDEF, VECTOR, feedhold and cycle start,
-//! Kill All Moves, Stop All Moves).
+//! A coordinated-move profiler (the guide's "Coordinated Moves Profiler" and the commands of its groups Interpolation,
+//! Velocity Profile and Transformation).
 //!
 //! A [`Master`] runs one move at a time and holds those that wait. A move begins with the velocity its predecessor
 //! hands over if it was waiting when that ended, and from rest otherwise. Time passes in ticks; a move that ends inside
 //! a tick gives the rest of the tick to its successor, so blending does not depend on the tick.
 //!
+//! All axes of a move share one parameter, the part of its path that is covered, whatever each of them does: they start
+//! and end in the same tick. Velocities and ramps are along the path.
+//!
 //! Blending keeps the velocity along the path. Where two moves meet at an angle, the velocities of their axes jump.
 
+mod curve;
+mod flow;
+mod frame;
+mod interrupt;
+mod lay;
+mod look;
 mod moves;
 mod path;
 mod queue;
 mod running;
 mod settings;
-mod timer;
+mod span;
+mod spline;
+mod tangent;
+mod transformation;
+mod winding;
 
-pub use moves::{Move, MoveSettings, PushError, SettingError, Target};
+pub use curve::{Arc, Sine, SpaceArc, Turn};
+pub use flow::Advanced;
+pub use interrupt::start_together;
+pub use look::Lookahead;
+pub use moves::{Move, MoveSettings, Override, PushError, SettingError, Target};
+pub use span::Span;
+pub use spline::{ControlPoint, CurveBuilder, CurveError};
+pub use tangent::Tangent;
 
+use interrupt::Detour;
+use lay::Ground;
+use look::NO_HEADING;
 use path::Path;
 use queue::{Queue, Queued};
 use running::Running;
-use timer::Timer;
 
 use crate::profile::{Profile, State};
+use crate::timer::Timer;
 
 /// Number of axis slots of a master.
 pub const AXES: usize = 16;
@@ -45,18 +68,17 @@ pub enum HoldState {
     InFeedhold,
 }
 
-/// What happened in a tick.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Advanced {
-    /// Moves that began, including those that began when they were queued since the tick before.
-    pub started: u32,
-    /// Moves that ended.
-    pub completed: u32,
-    /// A stop has come to its end and every move was dropped.
-    pub stopped: bool,
-    /// Velocity along the path, u/s, with which a move ended while none was waiting: it dropped to zero at once. Zero if
-    /// none did. Known one tick late, since a successor may still be queued in the same tick.
-    pub dropped_velocity: f64,
+/// What the velocity along the path is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// It rises.
+    Accelerating,
+    /// It falls, but not toward the end of the move.
+    Decelerating,
+    /// It falls toward the end of the move.
+    Stopping,
+    /// It stays, at zero if nothing moves. So it does for a moment where an S-curve bends without a straight part.
+    Steady,
 }
 
 /// The velocity a move ended with when no other was waiting. One queued in the same tick still takes it over.
@@ -74,13 +96,20 @@ pub struct Master {
     positions: [f64; AXES],
     /// Where the last queued move ends, u.
     targets: [f64; AXES],
-    weights: [f64; AXES],
-    vector: f64,
+    ground: Ground,
     feedrate_override: f64,
+    rapid_override: f64,
     queue: Queue,
     running: Option<Running>,
     flow: Flow,
     handover: Option<Handover>,
+    /// Where the axes go on to when the running move has been cut short.
+    detour: Option<Detour>,
+    /// Whether moves begin only together with those of other masters.
+    synchronised: bool,
+    lookahead: Option<Lookahead>,
+    /// The direction in which the last queued move ends.
+    heading: [f64; AXES],
     /// Moves begun since the last tick.
     started: u32,
 }
@@ -91,24 +120,38 @@ impl Master {
         Self {
             positions: [0.0; AXES],
             targets: [0.0; AXES],
-            weights: [1.0; AXES],
-            vector: 0.0,
+            ground: Ground::DEFAULT,
             feedrate_override: 1.0,
+            rapid_override: 1.0,
             queue: Queue::new(queue_capacity),
             running: None,
             flow: Flow::Run,
             handover: None,
+            detour: None,
+            synchronised: false,
+            lookahead: None,
+            heading: NO_HEADING,
             started: 0,
         }
     }
 
-    /// Whether [`Master::push`] has room for a move.
+    /// Whether [`Master::push`] has room for a move, and knows where it begins: not behind a move that may yet be cut
+    /// short.
     pub fn can_accept(&self) -> bool {
-        self.flow != Flow::Stop && (self.starts_at_once() || self.queue.len() < self.queue.capacity())
+        self.flow != Flow::Stop && !self.end_is_open() && (self.is_idle() || self.queue.len() < self.queue.capacity())
     }
 
-    fn starts_at_once(&self) -> bool {
+    /// Whether a move that is queued now is the next to begin.
+    fn is_idle(&self) -> bool {
         self.flow == Flow::Run && self.running.is_none() && self.queue.len() == 0
+    }
+
+    /// Whether the last move may be cut short.
+    fn end_is_open(&self) -> bool {
+        match self.queue.last() {
+            Some(last) => last.interrupt.is_some(),
+            None => self.running.as_ref().is_some_and(|running| running.interrupt().is_some()),
+        }
     }
 
     /// Queues a move; if nothing is running or waiting, it begins now.
@@ -116,148 +159,70 @@ impl Master {
     /// Its path is laid from the end of the move queued before it, with the weights of now. A move without
     /// displacement takes no time and ends in the next tick.
     pub fn push(&mut self, command: &Move) -> Result<(), PushError> {
-        if self.flow == Flow::Stop {
-            return Err(PushError::Stopping);
-        }
-        if !self.can_accept() {
-            return Err(PushError::Full);
-        }
-        command.settings.validate()?;
-        let path = Path::new(&self.targets, &command.targets, &self.weights, self.vector)?;
-        self.targets = *path.end();
-        let queued = Queued { path, settings: command.settings };
-        if self.starts_at_once() {
-            let (velocity, since) = self.handover.take().map_or((0.0, 0.0), |h| (h.velocity, h.since));
-            self.begin(&queued, velocity, Timer::carrying(since));
-        } else {
-            self.queue.push(&queued);
-        }
+        self.room(command)?;
+        let path = self.ground.lay(&self.targets, command)?;
+        self.queue_along(&path, command);
         Ok(())
     }
 
-    fn begin(&mut self, queued: &Queued, velocity: f64, timer: Timer) {
-        self.running = Some(Running::begin(queued, velocity, self.factor(), timer));
+    /// Queues a move along a piece of a curve (SPLINE, NURB). The targets of the move are not looked at.
+    ///
+    /// Where another piece of the curve follows, the move hands its velocity over, as without a stop ramp. A curve that
+    /// does not begin where the axes are begins with a jump.
+    pub fn push_span(&mut self, command: &Move, span: &Span) -> Result<(), PushError> {
+        self.room(command)?;
+        let path = self.ground.lay_span(&self.targets, span)?;
+        self.queue_along(&path, command);
+        Ok(())
+    }
+
+    /// Checks that a move can be queued, and the values of its profile.
+    fn room(&self, command: &Move) -> Result<(), PushError> {
+        if self.flow == Flow::Stop {
+            return Err(PushError::Stopping);
+        }
+        if self.end_is_open() {
+            return Err(PushError::OpenEnd);
+        }
+        let waits = !self.is_idle() || !self.begins_by_itself(command.gate);
+        if waits && self.queue.len() >= self.queue.capacity() {
+            return Err(PushError::Full);
+        }
+        Ok(command.settings.validate()?)
+    }
+
+    fn queue_along(&mut self, path: &Path, command: &Move) {
+        self.targets = *path.end();
+        let queued = Queued { corner: self.corner(path), ..Queued::new(path, command) };
+        self.heading = path.heading(true, &self.ground.weights);
+        if self.is_idle() && self.begins_by_itself(command.gate) {
+            self.begin_with_handover(&queued);
+        } else {
+            self.queue.push(&queued);
+        }
+        self.look_ahead(false);
+    }
+
+    /// Begins a move with the velocity and the acceleration along the path of `state`.
+    fn begin(&mut self, queued: &Queued, state: State, timer: Timer) {
+        self.running = Some(Running::begin(queued, state, self.factor(queued.override_by), timer));
         self.started += 1;
     }
 
-    /// What the target velocity is multiplied by: zero brings the move to rest.
-    fn factor(&self) -> f64 {
-        match self.flow {
-            Flow::Run => self.feedrate_override,
-            Flow::Hold | Flow::Stop => 0.0,
-        }
-    }
-
-    /// Lets one tick of `dt` seconds pass. Nothing passes if `dt` is not a positive finite number.
-    pub fn advance(&mut self, dt: f64) -> Advanced {
-        self.advance_ticks(1, dt)
-    }
-
-    /// Lets `ticks` ticks of `dt` seconds pass, with the same result, to the bit, as one after the other. The time it
-    /// takes depends on the number of moves that end, not on the number of ticks.
-    pub fn advance_ticks(&mut self, ticks: u64, dt: f64) -> Advanced {
-        let mut report = Advanced::default();
-        if ticks == 0 || !(dt > 0.0 && dt.is_finite()) {
-            return report;
-        }
-        if let Some(handover) = self.handover.take() {
-            report.dropped_velocity = handover.velocity;
-        }
-        if let Some(running) = &mut self.running {
-            running.advance(ticks, dt);
-        }
-        while let Some((timer, running)) = self.running.as_ref().and_then(|r| Some((r.past_end()?, r))) {
-            let velocity = running.profile().end_velocity();
-            self.positions = *running.path().end();
-            self.running = None;
-            report.completed += 1;
-            self.hand_over(velocity, timer, &mut report);
-        }
-        if let Some(running) = &mut self.running {
-            running.refresh();
-        }
-        if self.flow == Flow::Stop && self.running.as_ref().is_none_or(Running::stands) {
-            self.kill();
-            report.stopped = true;
-        }
-        report.started = core::mem::take(&mut self.started);
-        report
-    }
-
-    /// A move ended: begins the next one, or notes the velocity it ended with.
-    fn hand_over(&mut self, velocity: f64, timer: Timer, report: &mut Advanced) {
-        let goes_on = self.flow == Flow::Run || velocity > 0.0;
-        if goes_on && let Some(next) = self.queue.pop() {
-            self.begin(&next, velocity, timer);
-        } else if velocity > 0.0 {
-            match timer.within_tick() {
-                Some(since) if self.flow == Flow::Run => self.handover = Some(Handover { velocity, since }),
-                _ => report.dropped_velocity = velocity,
-            }
-        }
-    }
-
-    /// Time until the running move ends or comes to rest in a hold, s. `None` if nothing will change by itself.
-    pub fn next_event(&self) -> Option<f64> {
-        self.running.as_ref().and_then(Running::remaining)
-    }
-
-    /// Brings the move to rest along its path with its deceleration ramp, and keeps it there until
-    /// [`Master::cycle_start`]. If its way is too short for that, it ends as it would have, and if that is not at rest
-    /// the moves that wait go on slowing down. Moves queued meanwhile wait. An S-curve changes as described at
-    /// [`Master::set_feedrate_override`].
-    pub fn feedhold(&mut self) {
-        if self.flow == Flow::Run {
-            self.flow = Flow::Hold;
-            self.replan();
-        }
-    }
-
-    /// Goes on after a feedhold, with the acceleration ramp.
-    pub fn cycle_start(&mut self) {
-        if self.flow != Flow::Hold {
-            return;
-        }
-        self.flow = Flow::Run;
-        if self.running.is_some() {
-            self.replan();
-        } else if let Some(next) = self.queue.pop() {
-            self.begin(&next, 0.0, Timer::default());
-        }
-    }
-
-    /// Drops every move and releases a hold. The axes stop where they are, without a ramp.
-    pub fn kill(&mut self) {
-        let mut positions = self.positions;
-        for (slot, position) in positions.iter_mut().enumerate() {
-            *position = self.position(slot);
-        }
-        self.positions = positions;
-        self.targets = positions;
-        self.running = None;
-        self.queue.clear();
-        self.handover = None;
-        self.flow = Flow::Run;
-    }
-
-    /// Brings the move to rest as [`Master::feedhold`] does, then drops every move. [`Advanced::stopped`] tells when.
-    pub fn stop(&mut self) {
-        let was = core::mem::replace(&mut self.flow, Flow::Stop);
-        if was == Flow::Run {
-            self.replan();
-        }
-    }
-
-    fn replan(&mut self) {
-        let factor = self.factor();
-        if let Some(running) = &mut self.running {
-            running.replan(factor);
-        }
+    /// Begins a move with the velocity of one that has ended in this tick, or from rest.
+    fn begin_with_handover(&mut self, queued: &Queued) {
+        let (velocity, since) = self.handover.take().map_or((0.0, 0.0), |h| (h.velocity, h.since));
+        self.begin(queued, State { velocity, ..State::default() }, Timer::carrying(since));
     }
 
     /// Whether a move is running or waiting, held or not.
     pub fn in_motion(&self) -> bool {
         self.running.is_some() || self.queue.len() > 0
+    }
+
+    /// What the velocity along the path is doing.
+    pub fn phase(&self) -> Phase {
+        self.running.as_ref().map_or(Phase::Steady, Running::phase)
     }
 
     /// Whether the master is held.
@@ -277,7 +242,7 @@ impl Master {
     /// Position of a slot, u. A slot of [`AXES`] or above reads as zero, here and below.
     pub fn position(&self, slot: usize) -> f64 {
         match &self.running {
-            Some(running) => running.path().position(slot, running.state().position),
+            Some(running) => running.position(slot),
             None => self.positions.get(slot).copied().unwrap_or(0.0),
         }
     }
@@ -289,12 +254,12 @@ impl Master {
 
     /// Velocity of a slot, u/s.
     pub fn velocity(&self, slot: usize) -> f64 {
-        self.running.as_ref().map_or(0.0, |r| r.path().scaled(slot, r.state().velocity))
+        self.running.as_ref().map_or(0.0, |running| running.velocity(slot))
     }
 
     /// Acceleration of a slot, u/s².
     pub fn acceleration(&self, slot: usize) -> f64 {
-        self.running.as_ref().map_or(0.0, |r| r.path().scaled(slot, r.state().acceleration))
+        self.running.as_ref().map_or(0.0, |running| running.acceleration(slot))
     }
 
     /// State along the path of the running move; all zeros without one.

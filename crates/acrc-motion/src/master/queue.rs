@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use super::moves::MoveSettings;
+use super::moves::{Move, MoveSettings, Override};
 use super::path::Path;
 
 /// A move that was accepted: its path is laid and its settings are captured.
@@ -10,6 +10,27 @@ use super::path::Path;
 pub(super) struct Queued {
     pub(super) path: Path,
     pub(super) settings: MoveSettings,
+    pub(super) override_by: Override,
+    /// What it waits for before it begins.
+    pub(super) gate: Option<u32>,
+    /// What may cut it short.
+    pub(super) interrupt: Option<u32>,
+    /// The angle at its start, degrees.
+    pub(super) corner: f64,
+    /// How fast it may begin, u/s, by what comes behind.
+    pub(super) entry: f64,
+    /// How fast it may end, u/s, if not as its settings say.
+    pub(super) exit: Option<f64>,
+}
+
+impl Queued {
+    pub(super) fn new(path: &Path, command: &Move) -> Self {
+        let &Move { mut settings, override_by, gate, interrupt, .. } = command;
+        if path.is_joined() {
+            settings.stop = 0.0;
+        }
+        Self { path: *path, settings, override_by, gate, interrupt, corner: 0.0, entry: f64::INFINITY, exit: None }
+    }
 }
 
 /// A ring of fixed size. Its storage is a boxed slice, which cannot grow: nothing but [`Queue::new`] allocates.
@@ -63,6 +84,37 @@ impl Queue {
         self.first = self.wrapped(1);
         self.used -= 1;
         Some(queued)
+    }
+
+    /// The move that is next.
+    pub(super) fn first(&self) -> Option<&Queued> {
+        self.get(0)
+    }
+
+    /// The move that was queued last.
+    pub(super) fn last(&self) -> Option<&Queued> {
+        self.get(self.used.checked_sub(1)?)
+    }
+
+    /// A move that waits, counted from the next.
+    pub(super) fn get(&self, index: usize) -> Option<&Queued> {
+        if index < self.used { self.places.get(self.wrapped(index))?.as_ref() } else { None }
+    }
+
+    /// Sets how fast a move may begin and end.
+    pub(super) fn limit(&mut self, index: usize, entry: f64, exit: Option<f64>) {
+        let place = self.wrapped(index);
+        if let Some(Some(queued)) = self.places.get_mut(place) {
+            queued.entry = entry;
+            queued.exit = exit;
+        }
+    }
+
+    /// Takes the gate from the move that is next.
+    pub(super) fn open_first(&mut self) {
+        if let Some(Some(next)) = self.places.get_mut(self.first) {
+            next.gate = None;
+        }
     }
 
     pub(super) fn clear(&mut self) {

@@ -14,12 +14,15 @@
 //!
 //! Property tests hold the planner to these numbers on random requests.
 
+mod moving;
 mod plan;
 mod ramp;
 mod request;
-mod segment;
+pub(crate) mod segment;
 mod timed;
 
+pub(crate) use moving::Moving;
+pub(crate) use plan::reachable;
 pub use request::{ProfileError, ProfileRequest};
 
 use segment::Segments;
@@ -35,7 +38,7 @@ pub struct State {
     pub acceleration: f64,
 }
 
-/// A planned motion along one path: up to seven stretches of constant jerk, sampled at any time.
+/// A planned motion along one path: a few stretches of constant jerk, sampled at any time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Profile {
     segments: Segments,
@@ -43,6 +46,8 @@ pub struct Profile {
     end_velocity: f64,
     /// Time at which the ramp to the end velocity begins, s.
     end_ramp: f64,
+    /// Whether it comes to rest before the end of the path.
+    stands: bool,
 }
 
 impl Profile {
@@ -98,7 +103,12 @@ impl Profile {
 
     /// A profile of no length and no duration.
     pub(crate) fn at_rest() -> Self {
-        Self { segments: Segments::new(), length: 0.0, end_velocity: 0.0, end_ramp: 0.0 }
+        Self { segments: Segments::new(), length: 0.0, end_velocity: 0.0, end_ramp: 0.0, stands: true }
+    }
+
+    /// Whether it comes to rest before the end of the path.
+    pub(crate) fn stands(&self) -> bool {
+        self.stands
     }
 
     /// Time the profile takes, s.

@@ -20,19 +20,49 @@ const NEGLIGIBLE: f64 = 1e-13;
 ///
 /// With a velocity of zero the profile comes to rest before the end of the path, unless the path is too short for that.
 pub(super) fn plan(request: &ProfileRequest) -> Profile {
+    plan_after(&Segments::new(), request)
+}
+
+/// Plans a request whose start lies behind some stretches, which end with its start velocity and no acceleration.
+pub(super) fn plan_after(before: &Segments, request: &ProfileRequest) -> Profile {
     if request.length == 0.0 {
-        return Profile { segments: Segments::new(), end_velocity: request.start_velocity, length: 0.0, end_ramp: 0.0 };
+        return Profile {
+            segments: *before,
+            end_velocity: request.start_velocity,
+            length: before.length(),
+            end_ramp: before.duration(),
+            stands: false,
+        };
     }
     let wanted = Shape::at(request, request.velocity, 0.0);
     if wanted.distance() <= request.length {
-        return wanted.emit(request);
+        return wanted.emit(before, request);
     }
     let earliest_stop = Shape::at(request, request.start_velocity, 0.0);
     if earliest_stop.distance() <= request.length {
-        peak_that_fits(request, &wanted).emit(request)
+        peak_that_fits(request, &wanted).emit(before, request)
     } else {
-        too_short(request).emit(request)
+        too_short(request).emit(before, request)
     }
+}
+
+/// The velocity from which a ramp comes down to `velocity` in exactly `length`. Infinite if the ramp is a step.
+pub(crate) fn reachable(velocity: f64, length: f64, limit: f64, jerk: f64) -> f64 {
+    if limit == 0.0 {
+        return f64::INFINITY;
+    }
+    let gained = 2.0 * limit * length;
+    let sum = velocity + sqrt(velocity * velocity + gained);
+    let straight = if sum > 0.0 { gained / sum } else { 0.0 };
+    if jerk == 0.0 || straight == 0.0 {
+        return velocity + straight;
+    }
+    let excess =
+        |drop: f64| Ramp { from: velocity + drop, to: velocity, change: -drop, limit, jerk }.distance() - length;
+    let below = Point { x: 0.0, y: -length };
+    let above = Point { x: straight, y: excess(straight) };
+    // An S-curve takes more way than a straight ramp.
+    velocity + if above.y > 0.0 { crossing(below, above, NEGLIGIBLE * length, excess) } else { straight }
 }
 
 /// Two ramps with a stretch of constant velocity between them.
@@ -62,9 +92,9 @@ impl Shape {
     }
 
     /// Lays the shape along `length`, filling what the ramps leave with constant velocity.
-    fn emit(&self, request: &ProfileRequest) -> Profile {
+    fn emit(&self, before: &Segments, request: &ProfileRequest) -> Profile {
         let length = request.length;
-        let mut segments = Segments::new();
+        let mut segments = *before;
         self.first.append_to(&mut segments);
         let peak = self.second.from;
         let spare = length - self.distance();
@@ -73,12 +103,13 @@ impl Shape {
         }
         let end_ramp = segments.duration();
         self.second.append_to(&mut segments);
-        let stands = request.velocity == 0.0 && peak == 0.0;
+        let stands = request.velocity == 0.0 && peak == 0.0 && self.distance() < length;
         Profile {
             segments,
             end_velocity: self.second.to,
-            length: if stands { self.distance().min(length) } else { length },
+            length: before.length() + if stands { self.distance() } else { length },
             end_ramp,
+            stands,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 /// Time counted as a number of equal steps, on top of a part of a step carried in.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Timer {
+pub(crate) struct Timer {
     base: f64,
     step: f64,
     count: u64,
@@ -14,26 +14,36 @@ const ROUNDING: f64 = 1e-9;
 
 impl Timer {
     /// A timer that `seconds` have passed on already.
-    pub(super) fn carrying(seconds: f64) -> Self {
+    pub(crate) fn carrying(seconds: f64) -> Self {
         Self { base: seconds, step: 0.0, count: 0 }
     }
 
     /// Lets `ticks` steps of `step` seconds pass.
-    pub(super) fn advance(&mut self, ticks: u64, step: f64) {
+    pub(crate) fn advance(&mut self, ticks: u64, step: f64) {
         if step != self.step {
             *self = Self { base: self.elapsed(), step, count: 0 };
         }
         self.count += ticks;
     }
 
+    /// Goes back by `ticks` steps of `step` seconds, at most to `earliest`, s.
+    pub(crate) fn retreat(&mut self, ticks: u64, step: f64, earliest: f64) {
+        if step != self.step {
+            *self = Self { base: self.elapsed(), step, count: 0 };
+        }
+        let beyond = ticks.saturating_sub(self.count);
+        self.count = self.count.saturating_sub(ticks);
+        self.base = (self.base - beyond as f64 * step).max(earliest);
+    }
+
     /// Time passed, s.
-    pub(super) fn elapsed(&self) -> f64 {
+    pub(crate) fn elapsed(&self) -> f64 {
         self.after(self.count)
     }
 
     /// Time passed since the end of something that took `duration`, s, and ended within one of the ticks; the whole
     /// ticks after that one are still counted as ticks. `None` while it lasts.
-    pub(super) fn past(&self, duration: f64) -> Option<Self> {
+    pub(crate) fn past(&self, duration: f64) -> Option<Self> {
         let over = |count: u64| self.after(count) >= duration - ROUNDING * self.step;
         if !over(self.count) {
             return None;
@@ -52,7 +62,7 @@ impl Timer {
     }
 
     /// Time of the tick in which something ended, s, if that was the tick just past.
-    pub(super) fn within_tick(&self) -> Option<f64> {
+    pub(crate) fn within_tick(&self) -> Option<f64> {
         (self.count == 0).then_some(self.base)
     }
 
