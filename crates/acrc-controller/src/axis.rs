@@ -1,7 +1,9 @@
 //! One axis: scaling, drive state, position registers (guide, "Primary Setpoint" and "REN Details").
 //!
-//! In this machine model the plant is ideal: the actual position follows the setpoint at once, so the following error is zero. Positions are kept
-//! in programming units; the controller's registers in pulses are computed from them.
+//! Unless the world describes a machine, the plant is ideal: the actual position follows the setpoint at once, so the following error is zero.
+//! Positions are kept in programming units; the controller's registers in pulses are computed from them.
+
+use acrc_motion::axis::{AxisProfilers, TravelLimits};
 
 /// State of one axis.
 #[derive(Clone, Debug)]
@@ -16,6 +18,14 @@ pub(crate) struct Axis {
     pub(crate) signals: Option<String>,
     /// The drive has been enabled at least once.
     pub(crate) was_enabled: bool,
+    /// Its own profilers: jog, homing, gear, cam and compensation.
+    pub(crate) profilers: AxisProfilers,
+    /// What backlash compensation adds to the setpoint, units.
+    pub(crate) backlash: f64,
+    /// Its end-of-travel limits.
+    pub(crate) limits: TravelLimits,
+    /// The inputs of its limits: positive, negative, home (`HLBIT`).
+    pub(crate) switches: [Option<u32>; 3],
     /// What a run reports of it.
     pub(crate) statistics: AxisStatistics,
 }
@@ -48,6 +58,10 @@ impl Axis {
             slave: None,
             signals: None,
             was_enabled: false,
+            profilers: AxisProfilers::default(),
+            backlash: 0.0,
+            limits: TravelLimits::default(),
+            switches: [None; 3],
             statistics: AxisStatistics::default(),
         }
     }

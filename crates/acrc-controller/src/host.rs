@@ -174,7 +174,7 @@ impl Context<'_> {
     /// Decides whether somebody has to look at what the program has just done before its next line.
     fn look(&mut self, command: bool) {
         let ahead = self.pace.is_ahead();
-        let changed = self.pace.is_awaited() || ahead && (command || self.machine.in_motion());
+        let changed = self.pace.is_awaited() || ahead && (command || self.machine.is_busy());
         if changed || !self.machine.requests.is_empty() {
             self.pace.leave();
         }

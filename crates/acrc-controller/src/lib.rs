@@ -18,6 +18,7 @@ mod host;
 mod machine;
 mod master;
 mod memory;
+mod motion;
 mod network;
 pub mod nonvolatile;
 mod orders;

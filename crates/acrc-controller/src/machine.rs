@@ -14,6 +14,7 @@ use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
 use crate::memory::SystemMemory;
+use crate::motion::AxisMotion;
 use crate::network::Network;
 use crate::nonvolatile::NonVolatile;
 use crate::registers::Registers;
@@ -54,6 +55,8 @@ pub(crate) struct Machine {
     /// The prompt level of the immediate statement that is being executed: of the setup code, or of the channel that typed it.
     pub(crate) level: Level,
     pub(crate) terminal: Terminal,
+    /// What the axes do by themselves.
+    pub(crate) motion: AxisMotion,
     /// The texts of `IP`: address, mask and gateway.
     pub(crate) network: Network,
     /// What protects the programs from `LIST` (`PASSWORD`).
@@ -87,6 +90,7 @@ impl Machine {
             clock_base: (0, 0),
             level: Level::System,
             terminal: Terminal::default(),
+            motion: AxisMotion::new(),
             network: Network::of(model),
             password: None,
             config: None,
@@ -123,6 +127,7 @@ impl Machine {
             for (number, value) in &event.parameters {
                 self.script_parameter(*number, *value);
             }
+            self.motion.wake();
             self.next_event += 1;
         }
     }
@@ -142,9 +147,15 @@ impl Machine {
         self.masters[master].profiler.in_motion()
     }
 
-    /// Whether any master moves.
+    /// Whether anything moves.
     pub(crate) fn in_motion(&self) -> bool {
         self.masters.iter().any(|master| master.profiler.in_motion())
+            || self.motion.is_awake() && self.axes.iter().any(Axis::moves)
+    }
+
+    /// Whether the next tick may change something: something moves, or axes look at what has just happened.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.motion.is_awake() || self.masters.iter().any(|master| master.profiler.in_motion())
     }
 
     /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
@@ -158,6 +169,7 @@ impl Machine {
                 self.settle_master(index);
             }
         }
+        self.advance_axes(self.clock.period());
     }
 
     /// Takes note of what ended moves have left behind.
@@ -191,6 +203,7 @@ impl Machine {
         self.settle();
         self.clock.advance(ticks);
         self.apply_events();
+        self.advance_axes(0.0);
     }
 
     /// Moves time on to a tick up to which nothing happens; not back.
@@ -215,8 +228,8 @@ impl Machine {
         master.statistics.motion_ticks += 1;
         for (slot, axis) in master.attached() {
             let profiler = &master.profiler;
-            let statistics = &mut self.axes[usize::from(axis)].statistics;
-            statistics.record(
+            let axis = &mut self.axes[usize::from(axis)];
+            axis.statistics.record(
                 from[slot],
                 profiler.position(slot),
                 profiler.velocity(slot) * crest,
@@ -245,9 +258,10 @@ impl Machine {
         for (law, state) in states {
             self.flags.set_law(law, index as u32, state);
         }
-        for (slot, axis) in self.masters[index].attached() {
-            let in_position = profiler.position(slot) == profiler.target(slot);
-            self.flags.set_law(law::NOT_IN_POSITION, u32::from(axis), !in_position);
+        for slot in 0..SLOTS {
+            if let Some(axis) = self.masters[index].slots[slot] {
+                self.update_in_position(axis);
+            }
         }
     }
 
@@ -268,8 +282,15 @@ impl Machine {
         }
     }
 
-    /// Velocity (units/s) and acceleration (units/s^2) of an axis.
+    /// Velocity (units/s) and acceleration (units/s^2) of an axis, from all of its profilers.
     pub(crate) fn motion(&self, axis: u8) -> (f64, f64) {
+        let (velocity, acceleration) = self.coordinated_motion(axis);
+        let profilers = &self.axes[usize::from(axis)].profilers;
+        (velocity + profilers.velocity(), acceleration + profilers.jog.state().acceleration)
+    }
+
+    /// The part of its master in [`Machine::motion`].
+    pub(crate) fn coordinated_motion(&self, axis: u8) -> (f64, f64) {
         match self.axes[usize::from(axis)].slave {
             Some(SlaveSlot { master, slot }) => {
                 let profiler = &self.masters[usize::from(master)].profiler;
@@ -279,48 +300,10 @@ impl Machine {
         }
     }
 
-    /// Whether the master of an axis moves.
+    /// Whether an axis moves, by its master or by itself.
     pub(crate) fn axis_in_motion(&self, axis: u8) -> bool {
-        self.axes[usize::from(axis)]
-            .slave
-            .is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
-    }
-
-    /// Gives an axis another position without moving it (`RES`, `PPU`).
-    pub(crate) fn set_position(&mut self, axis: u8, units: f64) -> Result<(), ControllerError> {
-        if self.axis_in_motion(axis) {
-            return Err(ControllerError::InMotion);
-        }
-        if !units.is_finite() {
-            return Err(ControllerError::Move(format!(
-                "AXIS{axis} cannot be at a position beyond the range of numbers"
-            )));
-        }
-        let state = &mut self.axes[usize::from(axis)];
-        match state.slave {
-            Some(SlaveSlot { master, slot }) => {
-                let profiler = &mut self.masters[usize::from(master)].profiler;
-                profiler
-                    .set_position(usize::from(slot), units)
-                    .map_err(|error| ControllerError::Move(error.to_string()))
-            }
-            None => {
-                state.rest_position = units;
-                Ok(())
-            }
-        }
-    }
-
-    /// Changes pulses per unit. The pulses of the registers stay, so the position in units changes.
-    pub(crate) fn set_pulses_per_unit(&mut self, axis: u8, ratio: f64) -> Result<(), ControllerError> {
-        if ratio <= 0.0 {
-            return Err(ControllerError::BadValue { command: "PPU", problem: format!("{ratio} is not above 0") });
-        }
-        let before = &self.axes[usize::from(axis)];
-        let position = self.position(axis) * before.pulses_per_unit / ratio;
-        self.set_position(axis, position)?;
-        self.axes[usize::from(axis)].pulses_per_unit = ratio;
-        Ok(())
+        let state = &self.axes[usize::from(axis)];
+        state.moves() || state.slave.is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
     }
 
     /// The axis that a program knows by a name.

@@ -146,6 +146,7 @@ impl Machine {
             Some(Place::Flags(laws)) => self.set_flags(command, laws, object, &items),
             None => {
                 self.settings.keep(command, object, items);
+                self.motion.touch();
                 Ok(())
             }
         }
@@ -203,6 +204,7 @@ impl Machine {
         for (bit, law) in laws.iter().enumerate() {
             self.flags.set(numbered(command, law, object)?, value >> bit & 1 == 1);
         }
+        self.motion.touch();
         Ok(())
     }
 }

@@ -6,6 +6,7 @@ use acrc_vm::{Call, Outcome};
 use super::arguments::{AxisArgument, AxisValue, scalar};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::motion::Preload;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::DRIVE, Action::Run(drive_report)),
@@ -36,6 +37,7 @@ fn drive_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErr
                 machine.flags.set_law(law::KILL_ALL_MOVES, u32::from(slave.master), false);
             }
         }
+        machine.update_kills();
         machine.set_drive(axis, true);
     }
     Ok(Outcome::Done)
@@ -79,14 +81,16 @@ fn reset(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
             [preload] => preload,
             _ => return Err(ControllerError::Expected { command, expected: "one preload an axis" }),
         };
-        context.machine.set_position(argument.axis, preload)?;
+        context.machine.preload(argument.axis, Preload::All(preload))?;
     }
     Ok(Outcome::Done)
 }
 
-/// `REN` takes the actual position over as setpoint; on an ideal machine both are equal already.
+/// `REN` takes the actual position over as setpoint.
 fn renew(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    context.resting_axes(call)?;
+    for argument in context.resting_axes(call)? {
+        context.machine.preload(argument.axis, Preload::Match)?;
+    }
     Ok(Outcome::Done)
 }
 

@@ -7,6 +7,7 @@ mod attach;
 mod axis;
 mod channel;
 mod io;
+mod jog;
 mod ladder;
 mod logic;
 mod moves;
@@ -83,6 +84,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         axis::COMMANDS,
         channel::COMMANDS,
         io::COMMANDS,
+        jog::COMMANDS,
         ladder::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,

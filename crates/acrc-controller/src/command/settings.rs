@@ -25,9 +25,7 @@ const SHAPING: [CommandId; 11] = [
 ];
 
 /// Settings that act by themselves on the controller unless they are 0, and what the run says of them.
-const ACTING: [(CommandId, &str); 4] = [
-    (command::HLIM, "was enabled: the dry run does not watch end-of-travel limits"),
-    (command::SLIM, "was enabled: the dry run does not watch end-of-travel limits"),
+const ACTING: [(CommandId, &str); 2] = [
     (command::BKL, "was set: the dry run does not compensate backlash"),
     (command::ENC_ROTARY, "was set: the dry run does not fold encoder positions"),
 ];

@@ -116,7 +116,7 @@ impl Controller {
         if let Some(tick) = self.quiet_until(end) {
             self.skip_to(tick - 1, observer);
         }
-        let moving = self.machine.in_motion();
+        let moving = self.machine.is_busy();
         self.machine.tick();
         if self.report_events(observer) || moving {
             self.changes.everywhere();

@@ -18,7 +18,7 @@ impl Controller {
             || self.boot.waiting && (self.boot.release.is_some() || self.boot.waited_at == self.changes.count());
         let mut active = self.programs.iter().filter(|program| program.is_active());
         let quiet = boot_waits
-            && !self.machine.in_motion()
+            && !self.machine.is_busy()
             && active.all(|program| program.waits(&self.changes).is_some() || program.circle(&self.changes).is_some());
         let typed = match self.channel_demand() {
             Demand::Now if self.boot.done => return None,

@@ -301,15 +301,13 @@ impl Controller {
             for master in 0..u32::from(self.machine.model.masters) {
                 self.machine.flags.set_law(law::KILL_ALL_MOVES, master, false);
             }
+            self.machine.update_kills();
             return;
         }
+        self.machine.update_kills();
         let plcs = self.plcs.iter_mut().map(|plc| &mut plc.program);
         for program in self.programs.iter_mut().chain(plcs).filter(|program| program.is_going()) {
             program.stop(State::Ended);
-        }
-        if self.machine.in_motion() {
-            let note = "Ctrl-X or Ctrl-Z stopped motion: coordinated moves stop at once, HLDEC is not simulated";
-            self.machine.notes.insert(note.to_owned());
         }
         for master in 0..usize::from(self.machine.model.masters) {
             self.machine.order(master, Order::Kill);

@@ -34,9 +34,9 @@ impl View<'_> {
         self.machine.axis_name(axis).map(|name| name.to_string())
     }
 
-    /// Position of an axis in units; 0 for an axis that the model does not have.
+    /// Actual position of an axis in units; 0 for an axis that the model does not have.
     pub fn position(&self, axis: u8) -> f64 {
-        if axis < self.machine.model.axes { self.machine.position(axis) } else { 0.0 }
+        if axis < self.machine.model.axes { self.machine.registers_of(axis).actual } else { 0.0 }
     }
 
     /// Velocity (units/s) and acceleration (units/s^2) of an axis; 0 for an axis that the model does not have.

@@ -1,11 +1,13 @@
 //! Reading and writing flags by number, with what that does to the machine (guide, "Parameters and Bits", "Kill All Motion Request vs. Kill All Moves").
 
 use acrc_catalog::{bit, law};
+use acrc_motion::axis::Side;
 
 use super::map::{Effect, map};
 use crate::error::ControllerError;
 use crate::flags::{FIRST_WORD, Flags};
 use crate::machine::Machine;
+use crate::motion::JogOrder;
 use crate::orders::Order;
 use crate::request::Request;
 use crate::task::Task;
@@ -25,7 +27,10 @@ impl Machine {
         }
         let (index, object) = (usize::from(flag.object), flag.object);
         match flag.effect {
-            Effect::None => self.flags.set(number, state),
+            Effect::None => {
+                self.flags.set(number, state);
+                self.motion.touch_flag(number);
+            }
             Effect::ReadOnly => {
                 return Err(ControllerError::ReadOnly { name: format!("BIT{number}"), title: bit(number).title });
             }
@@ -49,8 +54,26 @@ impl Machine {
             Effect::PauseProgram => self.requests.push(Request::Resume(object)),
             Effect::Master(_) | Effect::RunProgram | Effect::HaltProgram | Effect::RunPlc | Effect::HaltPlc => {}
             Effect::EnableDrive => self.set_drive(object, state),
-            Effect::KillMotion if state => self.kill_motion(object),
-            Effect::KillMotion => self.flags.set(number, false),
+            Effect::KillMotion => {
+                self.flags.set(number, state);
+                self.update_kills();
+            }
+            Effect::AxisSetting => {
+                self.flags.set(number, state);
+                self.motion.touch();
+            }
+            Effect::Jog(side) => {
+                let started = self.jog(object, if state { JogOrder::Run(side) } else { JogOrder::Off });
+                self.note_refusal(number, started);
+            }
+            Effect::JogOff if state => self.jog(object, JogOrder::Off)?,
+            Effect::JogOff => {}
+            Effect::Home if state => {
+                let negative = self.flags.get(law::JOG_HOME_DIRECTION.at(u32::from(object)));
+                let started = self.home(object, if negative { Side::Negative } else { Side::Positive });
+                self.note_refusal(number, started);
+            }
+            Effect::Home => {}
             Effect::ResetMotionEnable => self.reset_motion_enable(state),
         }
         Ok(())
@@ -79,27 +102,17 @@ impl Machine {
         Ok(())
     }
 
-    /// Kill All Motion Request: every axis of the master gets it, and the master Kill All Moves. The flags stay until they are cleared.
-    fn kill_motion(&mut self, axis: u8) {
-        let slave = self.axes.get(usize::from(axis)).and_then(|axis| axis.slave);
-        self.flags.set_law(law::KILL_ALL_MOTION_REQUEST, u32::from(axis), true);
-        let Some(slave) = slave else { return };
-        let master = usize::from(slave.master);
-        let axes: Vec<u8> = self.masters[master].attached().map(|(_, axis)| axis).collect();
-        for axis in axes {
-            self.flags.set_law(law::KILL_ALL_MOTION_REQUEST, u32::from(axis), true);
-        }
-        if self.moves(master) {
-            self.notes
-                .insert("an axis was killed in motion: the dry run stops it without the ramp of HLDEC".to_owned());
-        }
-        self.order(master, Order::Kill);
-    }
-
     /// The latch of the motion enable input is released once the input is closed.
     fn reset_motion_enable(&mut self, state: bool) {
         if state && !self.flags.get(law::MEI_OPEN.at(0)) {
             self.flags.set(law::MEI_LATCHED.at(0), false);
+        }
+    }
+
+    /// A flag that asks for motion stops no program when there can be none.
+    fn note_refusal(&mut self, number: u32, started: Result<(), ControllerError>) {
+        if let Err(error) = started {
+            self.notes.insert(format!("BIT{number} asked for motion in vain: {error}"));
         }
     }
 

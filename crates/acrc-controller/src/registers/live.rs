@@ -6,15 +6,32 @@ use acrc_vm::Value;
 use super::map::{Kind, map};
 use crate::error::ControllerError;
 use crate::machine::Machine;
+use crate::motion::Preload;
 
 /// What a parameter follows from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Live {
-    /// Where the axis is, in pulses: its position registers are all equal on an ideal machine that neither jogs nor gears.
-    Position,
+    /// Where the coordinated profiler has the axis, in pulses.
+    Coordinated,
+    /// Where it is, in pulses.
+    Actual,
+    /// The sum of its profilers, in pulses.
+    PrimarySetpoint,
+    /// The same with compensation.
+    SecondarySetpoint,
+    /// Its jog offset, in pulses.
+    JogOffset,
+    /// Its velocity, in units/s.
+    Velocity,
+    /// Its acceleration, in units/s^2.
+    Acceleration,
+    /// The velocity of its jog profiler, in units/s.
+    JogVelocity,
+    /// The acceleration of its jog profiler, in units/s^2.
+    JogAcceleration,
     /// Where the moves given so far will leave it, in pulses.
     Target,
-    /// Setpoint minus actual position, which an ideal machine keeps at 0.
+    /// Setpoint minus actual position, in pulses; an ideal machine keeps it at 0.
     FollowingError,
     PulsesPerUnit,
     /// The count of the encoder that measures the axis.
@@ -26,11 +43,16 @@ pub(crate) enum Live {
     HealthPeriod,
 }
 
-const LIVE: [(Law, Live); 11] = [
-    (law::CURRENT_POSITION, Live::Position),
-    (law::ACTUAL_POSITION, Live::Position),
-    (law::PRIMARY_SETPOINT, Live::Position),
-    (law::SECONDARY_SETPOINT, Live::Position),
+const LIVE: [(Law, Live); 16] = [
+    (law::CURRENT_POSITION, Live::Coordinated),
+    (law::ACTUAL_POSITION, Live::Actual),
+    (law::PRIMARY_SETPOINT, Live::PrimarySetpoint),
+    (law::SECONDARY_SETPOINT, Live::SecondarySetpoint),
+    (law::JOG_OFFSET, Live::JogOffset),
+    (law::VELOCITY, Live::Velocity),
+    (law::ACCELERATION, Live::Acceleration),
+    (law::JOG_VELOCITY_CURRENT, Live::JogVelocity),
+    (law::JOG_ACCELERATION_CURRENT, Live::JogAcceleration),
     (law::TARGET_POSITION, Live::Target),
     (law::FOLLOWING_ERROR, Live::FollowingError),
     (law::PPU, Live::PulsesPerUnit),
@@ -61,13 +83,21 @@ impl Machine {
     pub(super) fn live_parameter(&self, live: Live, object: u8) -> Option<Value> {
         let axis = self.axes.get(usize::from(object));
         Some(match live {
-            Live::Position => Value::Long(axis?.pulses(self.position(object))),
+            Live::Coordinated => Value::Long(axis?.pulses(self.position(object))),
+            Live::Actual => Value::Long(axis?.pulses(self.registers_of(object).actual)),
+            Live::PrimarySetpoint => Value::Long(axis?.pulses(self.registers_of(object).primary_setpoint())),
+            Live::SecondarySetpoint => Value::Long(axis?.pulses(self.registers_of(object).secondary_setpoint())),
+            Live::JogOffset => Value::Long(axis?.pulses(axis?.profilers.jog.offset())),
+            Live::Velocity => Value::Single(axis.map(|_| self.motion(object).0)? as f32),
+            Live::Acceleration => Value::Single(axis.map(|_| self.motion(object).1)? as f32),
+            Live::JogVelocity => Value::Single(axis?.profilers.jog.state().velocity as f32),
+            Live::JogAcceleration => Value::Single(axis?.profilers.jog.state().acceleration as f32),
             Live::Target => Value::Long(axis?.pulses(self.target(object))),
-            Live::FollowingError => Value::Long(0),
+            Live::FollowingError => Value::Long(axis?.pulses(self.registers_of(object).following_error())),
             Live::PulsesPerUnit => Value::Single(axis?.pulses_per_unit as f32),
             Live::Encoder => {
                 let offset = *self.encoder_offsets.get(usize::from(object))?;
-                Value::Long(axis?.pulses(self.position(object)).wrapping_add(offset))
+                Value::Long(axis?.pulses(self.registers_of(object).actual).wrapping_add(offset))
             }
             Live::VectorVelocity => {
                 Value::Single(self.masters.get(usize::from(object))?.profiler.vector_velocity() as f32)
@@ -90,23 +120,39 @@ impl Machine {
     ) -> Result<bool, ControllerError> {
         let axis = self.axes.get(usize::from(object));
         match live {
-            Live::Position | Live::Target => {
+            Live::Coordinated | Live::Target => {
                 if let Some(units) = axis.map(|axis| axis.units(real)) {
-                    self.set_position(object, units)?;
+                    self.preload(object, Preload::Coordinated(units))?;
+                }
+            }
+            Live::Actual | Live::PrimarySetpoint | Live::SecondarySetpoint => {
+                if let Some(units) = axis.map(|axis| axis.units(real)) {
+                    self.preload(object, Preload::Actual(units))?;
+                }
+            }
+            Live::JogOffset => {
+                if let Some(units) = axis.map(|axis| axis.units(real)) {
+                    self.preload(object, Preload::Jog(units))?;
                 }
             }
             Live::PulsesPerUnit => self.set_pulses_per_unit(object, real)?,
             Live::Encoder if axis.is_some() => self.set_encoder(object, long),
             Live::Clock => self.clock_base = (self.clock.ticks(), long),
             Live::Encoder => return Ok(false),
-            Live::FollowingError | Live::VectorVelocity | Live::HealthPeriod => {}
+            Live::FollowingError
+            | Live::Velocity
+            | Live::Acceleration
+            | Live::JogVelocity
+            | Live::JogAcceleration
+            | Live::VectorVelocity
+            | Live::HealthPeriod => {}
         }
         Ok(true)
     }
 
     /// Gives an encoder's register another count without moving its axis.
     pub(crate) fn set_encoder(&mut self, axis: u8, count: i32) {
-        let actual = self.axes[usize::from(axis)].pulses(self.position(axis));
+        let actual = self.axes[usize::from(axis)].pulses(self.registers_of(axis).actual);
         self.encoder_offsets[usize::from(axis)] = count.wrapping_sub(actual);
     }
 }

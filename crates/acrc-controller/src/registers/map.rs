@@ -8,6 +8,8 @@ use acrc_catalog::{
     bit, flag_words, law, parameter,
 };
 
+use acrc_motion::axis::Side;
+
 use super::live::Live;
 use crate::flags::{FIRST_WORD, Flags};
 use crate::orders::Order;
@@ -77,6 +79,14 @@ pub(crate) enum Effect {
     EnableDrive,
     KillMotion,
     ResetMotionEnable,
+    /// A setting of an axis.
+    AxisSetting,
+    /// Jogs while it is set.
+    Jog(Side),
+    /// Ends a jog.
+    JogOff,
+    /// Starts to look for home.
+    Home,
 }
 
 impl Effect {
@@ -84,13 +94,15 @@ impl Effect {
     pub(super) fn is_idle(self, state: bool) -> bool {
         match self {
             Self::Undocumented | Self::None | Self::ReadOnly | Self::NotSimulated | Self::Request => true,
-            Self::PauseProgram | Self::EnableDrive => false,
+            Self::PauseProgram | Self::EnableDrive | Self::AxisSetting | Self::Jog(_) => false,
             Self::Master(_)
             | Self::RunProgram
             | Self::HaltProgram
             | Self::RunPlc
             | Self::HaltPlc
             | Self::KillMotion
+            | Self::JogOff
+            | Self::Home
             | Self::ResetMotionEnable => !state,
         }
     }
@@ -209,7 +221,7 @@ fn describe_flag(number: u32) -> Flag {
 }
 
 /// Flags that do something, or would.
-const EFFECTS: [(Law, Effect); 20] = [
+const EFFECTS: [(Law, Effect); 26] = [
     (law::FEEDHOLD_REQUEST, Effect::Master(Order::Feedhold)),
     (law::CYCLE_START_REQUEST, Effect::Master(Order::CycleStart)),
     (law::KILL_ALL_MOVES, Effect::Master(Order::Kill)),
@@ -222,13 +234,19 @@ const EFFECTS: [(Law, Effect); 20] = [
     (law::DRIVE_ENABLE, Effect::EnableDrive),
     (law::KILL_ALL_MOTION_REQUEST, Effect::KillMotion),
     (law::MEI_LATCH_RESET, Effect::ResetMotionEnable),
-    (law::JOG_FORWARD, Effect::NotSimulated),
-    (law::JOG_REVERSE, Effect::NotSimulated),
-    (law::JOG_STOPPING, Effect::NotSimulated),
-    (law::POS_LIMIT_ENABLE, Effect::NotSimulated),
-    (law::NEG_LIMIT_ENABLE, Effect::NotSimulated),
-    (law::POS_SOFT_LIMIT_ENABLE, Effect::NotSimulated),
-    (law::NEG_SOFT_LIMIT_ENABLE, Effect::NotSimulated),
+    (law::JOG_FORWARD, Effect::Jog(Side::Positive)),
+    (law::JOG_REVERSE, Effect::Jog(Side::Negative)),
+    (law::JOG_STOPPING, Effect::JogOff),
+    (law::JOG_HOME_REQUEST, Effect::Home),
+    (law::POS_LIMIT_ENABLE, Effect::AxisSetting),
+    (law::NEG_LIMIT_ENABLE, Effect::AxisSetting),
+    (law::POS_SOFT_LIMIT_ENABLE, Effect::AxisSetting),
+    (law::NEG_SOFT_LIMIT_ENABLE, Effect::AxisSetting),
+    (law::POS_LIMIT_INVERT, Effect::AxisSetting),
+    (law::NEG_LIMIT_INVERT, Effect::AxisSetting),
+    (law::HOME_INVERT, Effect::AxisSetting),
+    (law::POS_LIMIT_HIT, Effect::AxisSetting),
+    (law::NEG_LIMIT_HIT, Effect::AxisSetting),
     (law::EXC_RESPONSE_ENABLE, Effect::NotSimulated),
 ];
 

@@ -64,7 +64,7 @@ fn read_only(access: Access, confidence: Confidence) -> bool {
 }
 
 fn writable_parameters() -> impl Iterator<Item = &'static ParameterRow> {
-    let follows = |row: &ParameterRow| row.field == "vector_velocity";
+    let follows = |row: &ParameterRow| ["vector_velocity", "jog_acceleration_current"].contains(&row.field);
     all_parameters()
         .filter(move |row| row.object != Space::Flags && !read_only(row.access, row.confidence) && !follows(row))
 }
@@ -133,9 +133,9 @@ fn read_only_parameters_refuse_every_write() {
 
 /// What a flag reads after it was set.
 fn after_set(row: &BitRow) -> &'static str {
-    // A program that does not run cannot be paused.
+    // A program that does not run cannot be paused, and an axis that does not jog cannot stop.
     let clears = row.kind == BitKind::Request && row.confidence != Confidence::Low;
-    let commands = ["program_pause", "plc_run_request", "plc_halt_request"].contains(&row.field);
+    let commands = ["program_pause", "plc_run_request", "plc_halt_request", "jog_stopping"].contains(&row.field);
     if clears || commands { "0" } else { "-1" }
 }
 

@@ -148,7 +148,7 @@ fn kinds_of_moves_that_are_not_simulated_are_known_before_the_run() {
         ("CIRCCW X(10, 5) Y(0, 0)", "CIRCCW"),
         ("SINE X(0, 90, 90, 5)", "SINE"),
         ("ROTARY X360", "ROTARY"),
-        ("JOG ABS X5", "JOG ABS"),
+        ("MSEEK X(1, 0)", "MSEEK"),
     ] {
         let image = Sim::program(statement).image();
         let found = acrc_controller::Controller::unsupported(&image, &[0]);

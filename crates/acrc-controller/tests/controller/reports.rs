@@ -35,10 +35,8 @@ fn values_that_make_no_sense_are_refused() {
 }
 
 #[test]
-fn limits_are_kept_with_a_note() {
-    let ran = Sim::program("HLIM X3\nHLIM X").run().clean();
-    assert_eq!(ran.record.output[0].text, "3");
-    assert_eq!(ran.notes(), ["HLIM was enabled: the dry run does not watch end-of-travel limits"]);
+fn limits_report_what_is_enabled() {
+    assert_eq!(Sim::program("HLIM X3\nHLIM X\nSLIM Y2\nSLIM Y").prints(), ["3", "2"]);
 }
 
 #[test]

@@ -1,0 +1,58 @@
+//! What axes do by themselves, beside the coordinated moves of their masters: jog, homing, limits, kill.
+//!
+//! The arithmetic is that of [`acrc_motion::axis`]; here it meets the flags, parameters and settings of the controller. An axis costs nothing while
+//! none of its profilers is at work and nothing has been written or has happened since the last tick ([`AxisMotion`]).
+
+mod flags;
+mod homing;
+mod jog;
+mod kill;
+mod registers;
+mod settings;
+mod tick;
+
+pub(crate) use jog::JogOrder;
+pub(crate) use registers::Preload;
+
+use acrc_motion::axis::KillProtocol;
+
+/// What the axes have in common.
+#[derive(Clone, Debug)]
+pub(crate) struct AxisMotion {
+    /// A setting has been written since the profilers took theirs.
+    stale: bool,
+    /// An axis moves by itself, or something has happened to which one may react in the next tick.
+    awake: bool,
+    kills: KillProtocol,
+    /// The flag words in which limit and home inputs lie, one bit each.
+    switch_words: u64,
+}
+
+impl AxisMotion {
+    /// Power-up.
+    pub(crate) fn new() -> Self {
+        Self { stale: true, awake: true, kills: KillProtocol::default(), switch_words: 0 }
+    }
+
+    /// Whether the next tick has something to do.
+    pub(crate) fn is_awake(&self) -> bool {
+        self.awake
+    }
+
+    /// A setting of an axis has been written.
+    pub(crate) fn touch(&mut self) {
+        self.stale = true;
+        self.awake = true;
+    }
+
+    /// Something has happened in the world.
+    pub(crate) fn wake(&mut self) {
+        self.awake = true;
+    }
+
+    /// A flag has changed that may be a switch.
+    #[inline]
+    pub(crate) fn touch_flag(&mut self, number: u32) {
+        self.awake |= number < 64 * u32::BITS && self.switch_words >> (number / u32::BITS) & 1 == 1;
+    }
+}

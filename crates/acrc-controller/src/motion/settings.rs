@@ -1,0 +1,86 @@
+//! The settings of the axes as their profilers take them. Parameters, flags and kept settings stay the only memory; this reads them when one of them
+//! has been written.
+
+use acrc_catalog::{CommandId, command, law};
+use acrc_motion::axis::{JogSettings, LimitSettings, Sides, Window, limit_inputs};
+
+use crate::error::ControllerError;
+use crate::machine::Machine;
+use crate::settings::Item;
+
+impl Machine {
+    /// Gives every profiler the settings of now.
+    pub(crate) fn refresh_axes(&mut self) {
+        self.motion.switch_words = 0;
+        for axis in 0..self.model.axes {
+            // A value that a profiler does not take leaves it with what it has.
+            if let Err(error) = self.refresh_axis(axis) {
+                self.notes.insert(format!("AXIS{axis}: {error}; the value before stays in force"));
+            }
+        }
+    }
+
+    fn refresh_axis(&mut self, axis: u8) -> Result<(), ControllerError> {
+        let jog = JogSettings {
+            velocity: self.axis_setting(command::JOG_VEL, axis),
+            acceleration: self.axis_setting(command::JOG_ACC, axis),
+            deceleration: self.axis_setting(command::JOG_DEC, axis),
+            jerk: self.axis_setting(command::JOG_JRK, axis),
+            home_velocity: self.axis_setting(command::JOG_HOMVF, axis),
+            limits: self.axis_window(command::JLM, axis),
+        };
+        let limits = LimitSettings {
+            hardware: self.sides(law::POS_LIMIT_ENABLE, law::NEG_LIMIT_ENABLE, axis),
+            software: self.sides(law::POS_SOFT_LIMIT_ENABLE, law::NEG_SOFT_LIMIT_ENABLE, axis),
+            inverted: self.sides(law::POS_LIMIT_INVERT, law::NEG_LIMIT_INVERT, axis),
+            home_inverted: self.flags.get(law::HOME_INVERT.at(u32::from(axis))),
+            travel: self.axis_window(command::SLM, axis),
+            hardware_deceleration: self.axis_setting(command::HLDEC, axis),
+            software_deceleration: self.axis_setting(command::SLDEC, axis),
+        };
+        let latched = self.sides(law::POS_LIMIT_HIT, law::NEG_LIMIT_HIT, axis);
+        let switches = self.switches(axis);
+        for input in switches.into_iter().flatten() {
+            self.motion.switch_words |= 1u64.checked_shl(input / u32::BITS).unwrap_or(0);
+        }
+        let state = &mut self.axes[usize::from(axis)];
+        state.switches = switches;
+        state.limits.set_latched(latched);
+        state.limits.set_settings(limits).map_err(refused)?;
+        state.profilers.jog.set_settings(jog).map_err(refused)
+    }
+
+    /// The inputs of the limits of an axis.
+    fn switches(&self, axis: u8) -> [Option<u32>; 3] {
+        let first = self.axis_setting(command::HLBIT, axis);
+        if (0.0..=f64::from(u32::MAX)).contains(&first) { limit_inputs(first as u32) } else { [None; 3] }
+    }
+
+    /// The first value of a setting; 0 if it is none.
+    pub(super) fn axis_setting(&self, command: CommandId, axis: u8) -> f64 {
+        self.axis_settings(command, axis).next().unwrap_or(0.0)
+    }
+
+    /// The two ends that a setting gives, the upper one first.
+    fn axis_window(&self, command: CommandId, axis: u8) -> Window {
+        let mut ends = self.axis_settings(command, axis);
+        Window { positive: ends.next().unwrap_or(0.0), negative: ends.next().unwrap_or(0.0) }
+    }
+
+    fn axis_settings(&self, command: CommandId, axis: u8) -> impl Iterator<Item = f64> + use<> {
+        let items = self.setting(command, u16::from(axis)).unwrap_or_default();
+        items.into_iter().filter_map(|item| match item {
+            Item::Number(value) => value.to_f64().ok(),
+            Item::Source(_) | Item::Factory(_) => None,
+        })
+    }
+
+    fn sides(&self, positive: acrc_catalog::Law, negative: acrc_catalog::Law, axis: u8) -> Sides {
+        let flag = |law: acrc_catalog::Law| self.flags.get(law.at(u32::from(axis)));
+        Sides { positive: flag(positive), negative: flag(negative) }
+    }
+}
+
+pub(super) fn refused(error: acrc_motion::InvalidValue) -> ControllerError {
+    ControllerError::Move(error.to_string())
+}
