@@ -3,7 +3,9 @@
 //! Unless the world describes a machine, the plant is ideal: the actual position follows the setpoint at once, so the following error is zero.
 //! Positions are kept in programming units; the controller's registers in pulses are computed from them.
 
-use acrc_motion::axis::{AxisProfilers, TravelLimits};
+use acrc_motion::axis::{AxisProfilers, GantryLock, SourceCounts, TravelLimits};
+
+use crate::motion::{Followers, Table};
 
 /// State of one axis.
 #[derive(Clone, Debug)]
@@ -24,10 +26,29 @@ pub(crate) struct Axis {
     pub(crate) backlash: f64,
     /// Its end-of-travel limits.
     pub(crate) limits: TravelLimits,
+    /// The gear goes on at the end of the tick, when the speed of its source is known.
+    pub(crate) engages: bool,
+    /// What its sources have counted in this tick.
+    pub(crate) counts: SourceCounts,
+    /// What its profilers follow.
+    pub(crate) followers: Followers,
+    /// Where the points of its cam are.
+    pub(crate) cam_table: Table,
+    /// Where the points of its ballscrew compensation are.
+    pub(crate) ballscrew_table: Table,
+    /// The axis that it follows as a gantry.
+    pub(crate) lock: Option<Lock>,
     /// The inputs of its limits: positive, negative, home (`HLBIT`).
     pub(crate) switches: [Option<u32>; 3],
     /// What a run reports of it.
     pub(crate) statistics: AxisStatistics,
+}
+
+/// An axis that a gantry axis follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lock {
+    pub(crate) leader: u8,
+    pub(crate) gantry: GantryLock,
 }
 
 /// A slot of a master.
@@ -61,6 +82,12 @@ impl Axis {
             profilers: AxisProfilers::default(),
             backlash: 0.0,
             limits: TravelLimits::default(),
+            engages: false,
+            counts: SourceCounts::default(),
+            followers: Followers::default(),
+            cam_table: Table::default(),
+            ballscrew_table: Table::default(),
+            lock: None,
             switches: [None; 3],
             statistics: AxisStatistics::default(),
         }

@@ -14,7 +14,7 @@ use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
 use crate::memory::SystemMemory;
-use crate::motion::AxisMotion;
+use crate::motion::{Arrays, AxisMotion, NoArrays};
 use crate::network::Network;
 use crate::nonvolatile::NonVolatile;
 use crate::registers::Registers;
@@ -159,8 +159,9 @@ impl Machine {
     }
 
     /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
-    pub(crate) fn tick(&mut self) {
+    pub(crate) fn tick(&mut self, arrays: &dyn Arrays) {
         self.clock.advance(1);
+        self.read_axis_sources();
         self.apply_events();
         for index in 0..self.masters.len() {
             if self.masters[index].profiler.in_motion() {
@@ -169,7 +170,7 @@ impl Machine {
                 self.settle_master(index);
             }
         }
-        self.advance_axes(self.clock.period());
+        self.advance_axes(self.clock.period(), arrays);
     }
 
     /// Takes note of what ended moves have left behind.
@@ -203,7 +204,7 @@ impl Machine {
         self.settle();
         self.clock.advance(ticks);
         self.apply_events();
-        self.advance_axes(0.0);
+        self.advance_axes(0.0, &NoArrays);
     }
 
     /// Moves time on to a tick up to which nothing happens; not back.
@@ -300,10 +301,16 @@ impl Machine {
         }
     }
 
-    /// Whether an axis moves, by its master or by itself.
+    /// Whether an axis moves, by its master, by itself, or led by another one.
     pub(crate) fn axis_in_motion(&self, axis: u8) -> bool {
         let state = &self.axes[usize::from(axis)];
-        state.moves() || state.slave.is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
+        state.moves() || self.master_moves(axis) || state.lock.is_some_and(|lock| self.axis_in_motion(lock.leader))
+    }
+
+    /// Whether the master of an axis moves.
+    pub(crate) fn master_moves(&self, axis: u8) -> bool {
+        let slave = self.axes[usize::from(axis)].slave;
+        slave.is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
     }
 
     /// The axis that a program knows by a name.

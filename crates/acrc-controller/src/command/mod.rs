@@ -6,6 +6,7 @@ mod arguments;
 mod attach;
 mod axis;
 mod channel;
+mod follow;
 mod io;
 mod jog;
 mod ladder;
@@ -83,6 +84,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         attach::COMMANDS,
         axis::COMMANDS,
         channel::COMMANDS,
+        follow::COMMANDS,
         io::COMMANDS,
         jog::COMMANDS,
         ladder::COMMANDS,

@@ -25,10 +25,7 @@ const SHAPING: [CommandId; 11] = [
 ];
 
 /// Settings that act by themselves on the controller unless they are 0, and what the run says of them.
-const ACTING: [(CommandId, &str); 2] = [
-    (command::BKL, "was set: the dry run does not compensate backlash"),
-    (command::ENC_ROTARY, "was set: the dry run does not fold encoder positions"),
-];
+const ACTING: [(CommandId, &str); 1] = [(command::ENC_ROTARY, "was set: the dry run does not fold encoder positions")];
 
 /// Commands that make settings those of power-up again.
 const FORGETTING: [(CommandId, &[CommandId]); 4] = [
@@ -38,12 +35,8 @@ const FORGETTING: [(CommandId, &[CommandId]); 4] = [
     (command::SAMP_CLEAR, &[command::SAMP_SRC, command::SAMP_BASE, command::SAMP_TRG]),
 ];
 
-pub(super) const COMMANDS: &[Entry] = &[
-    (command::CAM_CLEAR, Action::Run(forget)),
-    (command::BSC_CLEAR, Action::Run(forget)),
-    (command::FSTAT_CLEAR, Action::Run(forget)),
-    (command::SAMP_CLEAR, Action::Run(forget)),
-];
+pub(super) const COMMANDS: &[Entry] =
+    &[(command::FSTAT_CLEAR, Action::Run(forget)), (command::SAMP_CLEAR, Action::Run(forget))];
 
 /// How a setting is executed, if the command is one.
 pub(super) fn action(info: &Command) -> Option<Action> {
@@ -51,7 +44,7 @@ pub(super) fn action(info: &Command) -> Option<Action> {
 }
 
 /// Keeps the values of each object of a call, or reports them where none are given.
-fn keep(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+pub(super) fn keep(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     for (object, items) in context.setting_items(call)? {
         if items.is_empty() {
             context.report_setting(call.command, object)?;
@@ -69,7 +62,7 @@ fn keep(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
 }
 
 /// Forgets the settings of the axes of a call; commands of no axis do so for all objects.
-fn forget(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+pub(super) fn forget(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let forgotten = FORGETTING.iter().find(|(command, _)| *command == call.command).map_or(&[][..], |(_, rest)| rest);
     if !call.command.info().takes_axes {
         context.machine.settings.forget(forgotten, None);

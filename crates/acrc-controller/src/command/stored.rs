@@ -16,11 +16,8 @@ pub(super) const COMMANDS: &[Entry] = &[
     nothing(command::CMT_OFF),
     nothing(command::FSTAT_ON),
     nothing(command::FSTAT_OFF),
-    nothing(command::HDW_OFF),
-    nothing(command::LIMIT_RES),
     nothing(command::PLS_OFF),
     nothing(command::PLS_RES),
-    nothing(command::RATCH_RES),
     // Hardware.
     nothing(command::AXIS_ON),
     nothing(command::AXIS_OFF),

@@ -216,7 +216,7 @@ fn period(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
 
 impl Context<'_> {
     /// What executes the command; at a prompt, what the prompt belongs to.
-    fn task(&self) -> Option<Task> {
+    pub(super) fn task(&self) -> Option<Task> {
         match (&self.ladder, self.program, self.machine.level) {
             (Some(ladder), ..) => Some(Task::Plc(ladder.number())),
             (None, Some(program), _) => Some(Task::Program(program)),

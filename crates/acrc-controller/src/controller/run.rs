@@ -1,6 +1,10 @@
 //! A run: setup code, then ticks and slices until it is over.
 
+use acrc_vm::{Locals, Reference};
+
 use super::{Controller, Observer, View};
+use crate::motion::{ArrayPlace, Arrays};
+use crate::plc::Plc;
 use crate::program::{NEVER, Program};
 use crate::request::Request;
 use crate::task::Task;
@@ -15,6 +19,34 @@ pub enum Stopped {
     Until,
     /// The observer asked for it.
     Interrupted,
+}
+
+/// The arrays of the programs, for what follows tables in them.
+struct Tables<'a> {
+    programs: &'a [Program],
+    plcs: &'a [Plc],
+}
+
+impl Tables<'_> {
+    fn locals(&self, task: Task) -> Option<&Locals> {
+        match task {
+            Task::Program(number) => self.programs.get(usize::from(number)).map(|program| &program.locals),
+            Task::Plc(number) => self.plcs.get(usize::from(number)).map(|plc| &plc.program.locals),
+        }
+    }
+}
+
+impl Arrays for Tables<'_> {
+    fn size(&self, place: ArrayPlace) -> usize {
+        let locals = self.locals(place.task);
+        locals.and_then(|locals| locals.array_size(place.class, place.array)).map_or(0, |size| size as usize)
+    }
+
+    fn element(&self, place: ArrayPlace, index: usize) -> f64 {
+        let reference = Reference::Element { class: place.class, array: place.array, element: index as i64 };
+        let value = self.locals(place.task).and_then(|locals| locals.read(reference).ok());
+        value.and_then(|value| value.to_f64().ok()).unwrap_or(0.0)
+    }
 }
 
 impl Controller {
@@ -117,7 +149,8 @@ impl Controller {
             self.skip_to(tick - 1, observer);
         }
         let moving = self.machine.is_busy();
-        self.machine.tick();
+        let tables = Tables { programs: &self.programs, plcs: &self.plcs };
+        self.machine.tick(&tables);
         if self.report_events(observer) || moving {
             self.changes.everywhere();
         }

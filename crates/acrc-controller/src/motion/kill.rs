@@ -58,9 +58,11 @@ impl Machine {
         let ramp = if software { settings.software_deceleration } else { settings.hardware_deceleration };
         if coordinated == 0.0 && !axis.profilers.active() {
             axis.profilers.ballscrew.halt();
+            axis.engages = false;
             return;
         }
         let homed = axis.profilers.homing.status();
+        axis.engages = false;
         // Velocity and ramp are finite and not negative: the profilers have checked them.
         let stopped = axis.profilers.stop(coordinated, ramp);
         debug_assert!(stopped.is_ok(), "{stopped:?}");

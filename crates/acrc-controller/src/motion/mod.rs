@@ -3,18 +3,27 @@
 //! The arithmetic is that of [`acrc_motion::axis`]; here it meets the flags, parameters and settings of the controller. An axis costs nothing while
 //! none of its profilers is at work and nothing has been written or has happened since the last tick ([`AxisMotion`]).
 
+mod cam;
 mod flags;
+mod gear;
 mod homing;
 mod jog;
 mod kill;
 mod registers;
 mod settings;
+mod sources;
+mod tables;
 mod tick;
 
+pub(crate) use cam::{Table, TableKind};
 pub(crate) use jog::JogOrder;
 pub(crate) use registers::Preload;
+pub(crate) use sources::Followers;
+pub(crate) use tables::{ArrayPlace, Arrays, NoArrays};
 
 use acrc_motion::axis::KillProtocol;
+
+use sources::Gates;
 
 /// What the axes have in common.
 #[derive(Clone, Debug)]
@@ -24,6 +33,7 @@ pub(crate) struct AxisMotion {
     /// An axis moves by itself, or something has happened to which one may react in the next tick.
     awake: bool,
     kills: KillProtocol,
+    gates: Gates,
     /// The flag words in which limit and home inputs lie, one bit each.
     switch_words: u64,
 }
@@ -31,7 +41,7 @@ pub(crate) struct AxisMotion {
 impl AxisMotion {
     /// Power-up.
     pub(crate) fn new() -> Self {
-        Self { stale: true, awake: true, kills: KillProtocol::default(), switch_words: 0 }
+        Self { stale: true, awake: true, kills: KillProtocol::default(), gates: Gates::default(), switch_words: 0 }
     }
 
     /// Whether the next tick has something to do.

@@ -18,6 +18,14 @@ pub(crate) enum Preload {
     CoordinatedIntoJog(f64),
     /// `JOG RES`: the jog offset becomes this, and the coordinated position takes the difference.
     JogIntoCoordinated(f64),
+    /// `CAM RES`: the cam offset becomes this, and the coordinated position takes the difference.
+    CamIntoCoordinated(f64),
+    /// `BSC RES`: the same for the ballscrew offset.
+    BallscrewIntoCoordinated(f64),
+    /// `GEAR RES`: the gear offset becomes this, and nothing takes the difference.
+    Gear(f64),
+    /// `NORM`: the coordinated position is folded into a turn of this length.
+    Fold(f64),
     /// Writing P12288: the coordinated position alone.
     Coordinated(f64),
     /// Writing P12297: the jog offset alone.
@@ -31,7 +39,7 @@ impl Machine {
     pub(crate) fn registers_of(&self, axis: u8) -> Registers {
         let state = &self.axes[usize::from(axis)];
         let profilers = &state.profilers;
-        let setpoints = Registers {
+        let mut setpoints = Registers {
             coordinated: self.position(axis),
             jog: profilers.jog.offset(),
             gear: profilers.gear.offset() + profilers.hand_wheel.state().position,
@@ -40,12 +48,19 @@ impl Machine {
             ballscrew: profilers.ballscrew.offset(),
             actual: 0.0,
         };
+        if let Some(lock) = &state.lock {
+            // The place to which the axis is led, as its own profilers would have to say it.
+            let leader = self.registers_of(lock.leader).primary_setpoint();
+            setpoints = lock.gantry.released(leader, &setpoints);
+        }
         Registers { actual: setpoints.secondary_setpoint(), ..setpoints }
     }
 
     /// Gives position registers of an axis other values. Refused while it moves.
     pub(crate) fn preload(&mut self, axis: u8, preload: Preload) -> Result<(), ControllerError> {
-        if self.axis_in_motion(axis) {
+        // An axis may follow a source while these offsets change.
+        let free = matches!(preload, Preload::Gear(_) | Preload::CamIntoCoordinated(_));
+        if self.master_moves(axis) || !free && self.axis_in_motion(axis) {
             return Err(ControllerError::InMotion);
         }
         let before = self.registers_of(axis);
@@ -54,6 +69,12 @@ impl Machine {
             Preload::Match => before.match_actual(),
             Preload::CoordinatedIntoJog(position) => before.coordinated_into_jog(position),
             Preload::JogIntoCoordinated(offset) => before.jog_into_coordinated(offset),
+            Preload::CamIntoCoordinated(offset) => before.cam_into_coordinated(offset),
+            Preload::BallscrewIntoCoordinated(offset) => {
+                Registers { coordinated: before.coordinated + (before.ballscrew - offset), ballscrew: offset, ..before }
+            }
+            Preload::Gear(offset) => before.reset_gear(offset),
+            Preload::Fold(length) => before.normalized(length),
             Preload::Coordinated(position) => Registers { coordinated: position, ..before },
             Preload::Jog(offset) => Registers { jog: offset, ..before },
             Preload::Actual(position) => Registers { actual: position, ..before }.match_actual(),
@@ -65,7 +86,9 @@ impl Machine {
         let refused = |error: &dyn std::fmt::Display| ControllerError::Move(error.to_string());
         self.set_coordinated(axis, after.coordinated)?;
         let profilers = &mut self.axes[usize::from(axis)].profilers;
-        profilers.jog.preload(after.jog).map_err(|error| refused(&error))?;
+        if after.jog != before.jog {
+            profilers.jog.preload(after.jog).map_err(|error| refused(&error))?;
+        }
         if after.gear != before.gear {
             profilers.hand_wheel.preload(0.0).map_err(|error| refused(&error))?;
             profilers.gear.preload(after.gear).map_err(|error| refused(&error))?;
@@ -73,12 +96,15 @@ impl Machine {
         if after.cam != before.cam {
             profilers.cam.preload(after.cam).map_err(|error| refused(&error))?;
         }
+        if after.ballscrew != before.ballscrew && after.ballscrew != 0.0 {
+            profilers.ballscrew.preload(after.ballscrew).map_err(|error| refused(&error))?;
+        }
         self.motion.wake();
         Ok(())
     }
 
     /// Gives the coordinated position of a resting axis another value, in units.
-    fn set_coordinated(&mut self, axis: u8, units: f64) -> Result<(), ControllerError> {
+    pub(super) fn set_coordinated(&mut self, axis: u8, units: f64) -> Result<(), ControllerError> {
         if !units.is_finite() {
             return Err(ControllerError::Move(format!(
                 "AXIS{axis} cannot be at a position beyond the range of numbers"

@@ -2,7 +2,7 @@
 //! has been written.
 
 use acrc_catalog::{CommandId, command, law};
-use acrc_motion::axis::{JogSettings, LimitSettings, Sides, Window, limit_inputs};
+use acrc_motion::axis::{CamSettings, GearSettings, JogSettings, LimitSettings, Sides, Window, limit_inputs};
 
 use crate::error::ControllerError;
 use crate::machine::Machine;
@@ -14,10 +14,67 @@ impl Machine {
         self.motion.switch_words = 0;
         for axis in 0..self.model.axes {
             // A value that a profiler does not take leaves it with what it has.
-            if let Err(error) = self.refresh_axis(axis) {
+            let refreshed = [self.refresh_axis(axis), self.refresh_followers(axis)];
+            for error in refreshed.into_iter().filter_map(Result::err) {
                 self.notes.insert(format!("AXIS{axis}: {error}; the value before stays in force"));
             }
         }
+        self.refresh_gates();
+    }
+
+    /// Gear, hand wheel, cam and compensation.
+    fn refresh_followers(&mut self, axis: u8) -> Result<(), ControllerError> {
+        let mut followers = self.axes[usize::from(axis)].followers;
+        for (follower, source) in [
+            (&mut followers.jog, command::JOG_SRC),
+            (&mut followers.gear, command::GEAR_SRC),
+            (&mut followers.hand_wheel, command::HDW_SRC),
+            (&mut followers.cam, command::CAM_SRC),
+            (&mut followers.ballscrew, command::BSC_SRC),
+        ] {
+            self.refollow(follower, source, u16::from(axis));
+        }
+        self.axes[usize::from(axis)].followers = followers;
+        let value = |command| self.axis_setting(command, axis);
+        let gear = GearSettings {
+            pulses_per_unit: value(command::GEAR_PPU),
+            ratio: value(command::GEAR_RATIO),
+            acceleration: value(command::GEAR_ACC),
+            deceleration: value(command::GEAR_DEC),
+            limits: Window { positive: value(command::GEAR_MAX), negative: value(command::GEAR_MIN) },
+        };
+        let wheel = JogSettings {
+            velocity: value(command::HDW_VEL),
+            acceleration: value(command::HDW_ACC),
+            deceleration: value(command::HDW_DEC),
+            jerk: value(command::HDW_JRK),
+            ..JogSettings::default()
+        };
+        let cam = |scale, offset, source_offset| CamSettings {
+            scale: value(scale),
+            offset: value(offset),
+            source_offset: value(source_offset),
+            cycles: 0,
+        };
+        let cams = (
+            cam(command::CAM_SCALE, command::CAM_OFFSET, command::CAM_FLZ),
+            cam(command::BSC_SCALE, command::BSC_OFFSET, command::BSC_FLZ),
+        );
+        let backlash = value(command::BKL);
+        let profilers = &mut self.axes[usize::from(axis)].profilers;
+        let cycles = profilers.cam.settings().cycles;
+        profilers.backlash.value = backlash;
+        profilers.gear.set_settings(gear).map_err(refused)?;
+        profilers.hand_wheel.set_settings(wheel, 1.0 / gear.pulses_per_unit).map_err(refused)?;
+        profilers.cam.set_settings(CamSettings { cycles, ..cams.0 }).map_err(refused)?;
+        profilers.ballscrew.set_settings(cams.1).map_err(refused)
+    }
+
+    /// Passes after which the cam of an axis goes off; 0 for none.
+    pub(crate) fn set_cam_cycles(&mut self, axis: u8, cycles: u32) {
+        let cam = &mut self.axes[usize::from(axis)].profilers.cam;
+        let changed = cam.set_settings(CamSettings { cycles, ..*cam.settings() });
+        debug_assert!(changed.is_ok(), "the other settings were taken before");
     }
 
     fn refresh_axis(&mut self, axis: u8) -> Result<(), ControllerError> {
@@ -67,8 +124,17 @@ impl Machine {
         Window { positive: ends.next().unwrap_or(0.0), negative: ends.next().unwrap_or(0.0) }
     }
 
+    /// The first value of a setting of any object; 0 if it is none.
+    pub(crate) fn first_setting(&self, command: CommandId, object: u16) -> f64 {
+        self.numbers(command, object).next().unwrap_or(0.0)
+    }
+
     fn axis_settings(&self, command: CommandId, axis: u8) -> impl Iterator<Item = f64> + use<> {
-        let items = self.setting(command, u16::from(axis)).unwrap_or_default();
+        self.numbers(command, u16::from(axis))
+    }
+
+    fn numbers(&self, command: CommandId, object: u16) -> impl Iterator<Item = f64> + use<> {
+        let items = self.setting(command, object).unwrap_or_default();
         items.into_iter().filter_map(|item| match item {
             Item::Number(value) => value.to_f64().ok(),
             Item::Source(_) | Item::Factory(_) => None,

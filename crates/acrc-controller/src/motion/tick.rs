@@ -1,6 +1,8 @@
 //! A tick of the axes.
 
-use acrc_motion::axis::{LimitKind, SourceCounts};
+use acrc_motion::axis::LimitKind;
+
+use super::tables::{Arrays, Points};
 
 use crate::axis::Axis;
 use crate::machine::Machine;
@@ -13,26 +15,54 @@ impl Axis {
         jog.active() && !waits_for_velocity || self.profilers.velocity() != 0.0
     }
 
-    /// Whether its limits have to be watched while its master moves it.
+    /// Whether a profiler of the axis has something to do in each tick.
+    pub(super) fn works(&self) -> bool {
+        let profilers = &self.profilers;
+        self.engages || profilers.active() || profilers.hand_wheel.works() || profilers.ballscrew.is_on()
+    }
+
+    /// What its own profilers add to the setpoint, units.
+    fn own_offset(&self) -> f64 {
+        let profilers = &self.profilers;
+        let wheel = profilers.hand_wheel.state().position;
+        profilers.jog.offset() + profilers.gear.offset() + profilers.cam.offset() + wheel
+    }
+
+    /// Whether limits or compensation have to be looked at while its master moves it.
     fn is_guarded(&self) -> bool {
         let settings = self.limits.settings();
         let (hardware, software) = (settings.hardware, settings.software);
-        hardware.positive || hardware.negative || software.positive || software.negative
+        let limited = hardware.positive || hardware.negative || software.positive || software.negative;
+        limited || self.profilers.backlash.value != 0.0
     }
 }
 
 impl Machine {
+    /// Reads the sources of the axes that follow one.
+    pub(crate) fn read_axis_sources(&mut self) {
+        if !self.motion.awake {
+            return;
+        }
+        self.read_gates();
+        for axis in 0..self.model.axes {
+            if self.axes[usize::from(axis)].works() {
+                let counts = self.read_sources(axis);
+                self.axes[usize::from(axis)].counts = counts;
+            }
+        }
+    }
+
     /// Lets a tick of `dt` seconds pass for the axes, whose masters have advanced. Without time it only looks at what has happened.
-    pub(crate) fn advance_axes(&mut self, dt: f64) {
+    pub(crate) fn advance_axes(&mut self, dt: f64, arrays: &dyn Arrays) {
         if std::mem::take(&mut self.motion.stale) {
             self.refresh_axes();
         }
         let awake = std::mem::take(&mut self.motion.awake);
         for axis in 0..self.model.axes {
             let state = &self.axes[usize::from(axis)];
-            let active = state.profilers.active();
+            let active = state.works();
             if active {
-                self.advance_axis(axis, dt);
+                self.advance_axis(axis, dt, arrays);
             }
             let state = &self.axes[usize::from(axis)];
             if awake || active || state.is_guarded() && self.axis_in_motion(axis) {
@@ -41,16 +71,22 @@ impl Machine {
         }
     }
 
-    fn advance_axis(&mut self, axis: u8, dt: f64) {
+    fn advance_axis(&mut self, axis: u8, dt: f64, arrays: &dyn Arrays) {
+        self.resolve_tables(axis, arrays);
         let state = &mut self.axes[usize::from(axis)];
-        let before = state.profilers.jog.offset() + state.profilers.gear.offset() + state.profilers.cam.offset();
-        let no_points = |_: usize, _: usize| 0.0;
-        state.profilers.advance(&SourceCounts::clock(dt), dt, &no_points, &no_points);
-        let after = state.profilers.jog.offset() + state.profilers.gear.offset() + state.profilers.cam.offset();
+        let before = state.own_offset();
+        let cam = Points { arrays, segments: &state.cam_table.arrays };
+        let ballscrew = Points { arrays, segments: &state.ballscrew_table.arrays };
+        let counts = std::mem::take(&mut state.counts);
+        state.profilers.advance(&counts, dt, &cam, &ballscrew);
+        let after = state.own_offset();
+        if std::mem::take(&mut state.engages) {
+            state.profilers.gear.on();
+        }
         let (velocity, acceleration) = self.motion(axis);
         let statistics = &mut self.axes[usize::from(axis)].statistics;
         statistics.record(before, after, velocity, acceleration);
-        self.motion.awake |= self.axes[usize::from(axis)].profilers.active();
+        self.motion.awake |= self.axes[usize::from(axis)].works();
     }
 
     /// Looks at the limits of an axis, lets its homing go on, and brings its flags in line.
@@ -59,6 +95,7 @@ impl Machine {
         let setpoint = self.registers_of(axis).primary_setpoint();
         let levels = self.switch_levels(axis);
         let state = &mut self.axes[usize::from(axis)];
+        state.backlash = state.profilers.backlash.update(setpoint);
         let stop = state.limits.update(levels, setpoint, velocity, state.homes());
         self.advance_homing(axis);
         // The flags first: a stop may clear or set some of them.

@@ -52,7 +52,6 @@ impl Machine {
             Effect::HaltPlc if state => self.requests.push(Request::Halt(Task::Plc(object))),
             Effect::PauseProgram if state => self.requests.push(Request::Pause(object)),
             Effect::PauseProgram => self.requests.push(Request::Resume(object)),
-            Effect::Master(_) | Effect::RunProgram | Effect::HaltProgram | Effect::RunPlc | Effect::HaltPlc => {}
             Effect::EnableDrive => self.set_drive(object, state),
             Effect::KillMotion => {
                 self.flags.set(number, state);
@@ -67,14 +66,19 @@ impl Machine {
                 self.note_refusal(number, started);
             }
             Effect::JogOff if state => self.jog(object, JogOrder::Off)?,
-            Effect::JogOff => {}
             Effect::Home if state => {
                 let negative = self.flags.get(law::JOG_HOME_DIRECTION.at(u32::from(object)));
                 let started = self.home(object, if negative { Side::Negative } else { Side::Positive });
                 self.note_refusal(number, started);
             }
-            Effect::Home => {}
             Effect::ResetMotionEnable => self.reset_motion_enable(state),
+            Effect::Master(_)
+            | Effect::RunProgram
+            | Effect::HaltProgram
+            | Effect::RunPlc
+            | Effect::HaltPlc
+            | Effect::JogOff
+            | Effect::Home => {}
         }
         Ok(())
     }

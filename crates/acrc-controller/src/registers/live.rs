@@ -19,6 +19,8 @@ pub(crate) enum Live {
     PrimarySetpoint,
     /// The same with compensation.
     SecondarySetpoint,
+    /// Its gear offset, in pulses.
+    GearOffset,
     /// Its jog offset, in pulses.
     JogOffset,
     /// Its velocity, in units/s.
@@ -43,11 +45,12 @@ pub(crate) enum Live {
     HealthPeriod,
 }
 
-const LIVE: [(Law, Live); 16] = [
+const LIVE: [(Law, Live); 17] = [
     (law::CURRENT_POSITION, Live::Coordinated),
     (law::ACTUAL_POSITION, Live::Actual),
     (law::PRIMARY_SETPOINT, Live::PrimarySetpoint),
     (law::SECONDARY_SETPOINT, Live::SecondarySetpoint),
+    (law::GEAR_OFFSET, Live::GearOffset),
     (law::JOG_OFFSET, Live::JogOffset),
     (law::VELOCITY, Live::Velocity),
     (law::ACCELERATION, Live::Acceleration),
@@ -87,6 +90,7 @@ impl Machine {
             Live::Actual => Value::Long(axis?.pulses(self.registers_of(object).actual)),
             Live::PrimarySetpoint => Value::Long(axis?.pulses(self.registers_of(object).primary_setpoint())),
             Live::SecondarySetpoint => Value::Long(axis?.pulses(self.registers_of(object).secondary_setpoint())),
+            Live::GearOffset => Value::Long(axis?.pulses(self.registers_of(object).gear)),
             Live::JogOffset => Value::Long(axis?.pulses(axis?.profilers.jog.offset())),
             Live::Velocity => Value::Single(axis.map(|_| self.motion(object).0)? as f32),
             Live::Acceleration => Value::Single(axis.map(|_| self.motion(object).1)? as f32),
@@ -128,6 +132,11 @@ impl Machine {
             Live::Actual | Live::PrimarySetpoint | Live::SecondarySetpoint => {
                 if let Some(units) = axis.map(|axis| axis.units(real)) {
                     self.preload(object, Preload::Actual(units))?;
+                }
+            }
+            Live::GearOffset => {
+                if let Some(units) = axis.map(|axis| axis.units(real)) {
+                    self.preload(object, Preload::Gear(units))?;
                 }
             }
             Live::JogOffset => {

@@ -5,6 +5,7 @@ mod bits;
 mod catalogue;
 mod devices;
 mod extremes;
+mod follow;
 mod holds;
 mod memory;
 mod moves;

@@ -73,8 +73,8 @@ fn segments_of_a_table_are_kept_until_they_are_cleared() {
 #[test]
 fn settings_that_act_by_themselves_are_noted() {
     assert_eq!(Sim::program("BKL X0\nSLIM X0\nJOG VEL X5\nGEAR RATIO X2").run().clean().notes(), Vec::<String>::new());
-    let notes = Sim::program("BKL X0.1\nBKL Y0.1\nSLIM X1").run().clean().notes();
-    assert_eq!(notes, ["BKL was set: the dry run does not compensate backlash"]);
+    let notes = Sim::program("ENC0 ROTARY 0.1\nENC1 ROTARY 0.1").run().clean().notes();
+    assert_eq!(notes, ["ENC ROTARY was set: the dry run does not fold encoder positions"]);
 }
 
 #[test]

@@ -70,6 +70,11 @@ impl HandWheel {
         self.profiler.advance(dt);
     }
 
+    /// Whether the axis follows the wheel, or still ramps down from it.
+    pub fn works(&self) -> bool {
+        self.on || self.profiler.active()
+    }
+
     /// Output with its velocity and acceleration. Without a limit of velocity it follows the counts, and has none.
     pub fn state(&self) -> AxisState {
         self.profiler.state()
