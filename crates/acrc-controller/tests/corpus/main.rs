@@ -7,6 +7,8 @@ mod devices;
 mod flow;
 mod guide;
 mod hardware;
+mod homing;
+mod jogs;
 mod moves;
 mod recovery;
 mod setup;
@@ -30,8 +32,17 @@ const BROKEN: &[u8] = &[63];
 type Checks = &'static [(u8, &'static [Check])];
 
 /// The checks of all files, by topic.
-const TOPICS: [Checks; 7] =
-    [flow::CHECKS, hardware::CHECKS, setup::CHECKS, moves::CHECKS, values::CHECKS, devices::CHECKS, recovery::CHECKS];
+const TOPICS: [Checks; 9] = [
+    flow::CHECKS,
+    hardware::CHECKS,
+    setup::CHECKS,
+    moves::CHECKS,
+    jogs::CHECKS,
+    homing::CHECKS,
+    values::CHECKS,
+    devices::CHECKS,
+    recovery::CHECKS,
+];
 
 fn checks(number: u8) -> Option<&'static [Check]> {
     TOPICS.iter().flat_map(|topic| topic.iter()).find(|(file, _)| *file == number).map(|(_, checks)| *checks)
@@ -91,6 +102,16 @@ fn setup_is_shown() {
 #[test]
 fn moves_are_shown() {
     show(moves::CHECKS);
+}
+
+#[test]
+fn jogs_are_shown() {
+    show(jogs::CHECKS);
+}
+
+#[test]
+fn homing_is_shown() {
+    show(homing::CHECKS);
 }
 
 #[test]
