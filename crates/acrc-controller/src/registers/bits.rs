@@ -61,6 +61,8 @@ impl Machine {
                 self.flags.set(number, state);
                 self.motion.touch();
             }
+            // A flag that has its state already says nothing of the jog that another command has started.
+            Effect::Jog(_) if self.flags.get(number) == state => {}
             Effect::Jog(side) => {
                 let started = self.jog(object, if state { JogOrder::Run(side) } else { JogOrder::Off });
                 self.note_refusal(number, started);

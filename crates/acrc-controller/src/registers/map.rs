@@ -93,8 +93,10 @@ impl Effect {
     /// Whether giving a flag the state that it has does nothing.
     pub(super) fn is_idle(self, state: bool) -> bool {
         match self {
-            Self::Undocumented | Self::None | Self::ReadOnly | Self::NotSimulated | Self::Request => true,
-            Self::PauseProgram | Self::EnableDrive | Self::AxisSetting | Self::Jog(_) => false,
+            Self::Undocumented | Self::None | Self::ReadOnly | Self::NotSimulated | Self::Request | Self::Jog(_) => {
+                true
+            }
+            Self::PauseProgram | Self::EnableDrive | Self::AxisSetting => false,
             Self::Master(_)
             | Self::RunProgram
             | Self::HaltProgram
