@@ -56,11 +56,12 @@ impl Machine {
         Registers { actual: setpoints.secondary_setpoint(), ..setpoints }
     }
 
-    /// Gives position registers of an axis other values. Refused while it moves.
+    /// Gives position registers of an axis other values. Refused while it moves, or waits for a jog velocity.
     pub(crate) fn preload(&mut self, axis: u8, preload: Preload) -> Result<(), ControllerError> {
         // An axis may follow a source while these offsets change.
         let free = matches!(preload, Preload::Gear(_) | Preload::CamIntoCoordinated(_));
-        if self.master_moves(axis) || !free && self.axis_in_motion(axis) {
+        let moves = self.axis_in_motion(axis) || self.axes[usize::from(axis)].profilers.jog.active();
+        if self.master_moves(axis) || !free && moves {
             return Err(ControllerError::InMotion);
         }
         let before = self.registers_of(axis);
@@ -130,7 +131,7 @@ impl Machine {
         if ratio <= 0.0 {
             return Err(ControllerError::BadValue { command: "PPU", problem: format!("{ratio} is not above 0") });
         }
-        if self.axis_in_motion(axis) {
+        if self.axis_in_motion(axis) || self.axes[usize::from(axis)].profilers.jog.active() {
             return Err(ControllerError::InMotion);
         }
         let factor = self.axes[usize::from(axis)].pulses_per_unit / ratio;
