@@ -22,6 +22,8 @@ pub(crate) struct Axis {
     pub(crate) was_enabled: bool,
     /// Its own profilers: jog, homing, gear, cam and compensation.
     pub(crate) profilers: AxisProfilers,
+    /// How far its master has moved it in this tick, in units, while its own profilers are at work.
+    pub(crate) carried: f64,
     /// What backlash compensation adds to the setpoint, units.
     pub(crate) backlash: f64,
     /// Its end-of-travel limits.
@@ -80,6 +82,7 @@ impl Axis {
             signals: None,
             was_enabled: false,
             profilers: AxisProfilers::default(),
+            carried: 0.0,
             backlash: 0.0,
             limits: TravelLimits::default(),
             engages: false,

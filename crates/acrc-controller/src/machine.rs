@@ -230,6 +230,10 @@ impl Machine {
         for (slot, axis) in master.attached() {
             let profiler = &master.profiler;
             let axis = &mut self.axes[usize::from(axis)];
+            if axis.profilers.active() {
+                axis.carried = profiler.position(slot) - from[slot];
+                continue;
+            }
             axis.statistics.record(
                 from[slot],
                 profiler.position(slot),

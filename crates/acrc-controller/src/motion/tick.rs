@@ -83,9 +83,10 @@ impl Machine {
         if std::mem::take(&mut state.engages) {
             state.profilers.gear.on();
         }
+        let carried = std::mem::take(&mut state.carried);
         let (velocity, acceleration) = self.motion(axis);
         let statistics = &mut self.axes[usize::from(axis)].statistics;
-        statistics.record(before, after, velocity, acceleration);
+        statistics.record(before, after + carried, velocity, acceleration);
         self.motion.awake |= self.axes[usize::from(axis)].works();
     }
 
