@@ -44,7 +44,10 @@ impl Machine {
             }
             // Requests clear themselves; so does Stop All Moves, when the master has stopped.
             Effect::Request => self.note_effect(number, state),
-            Effect::Master(Order::Kill) if !state => self.flags.set(number, false),
+            Effect::Master(Order::Kill) if !state => {
+                self.flags.set(number, false);
+                self.update_kills();
+            }
             Effect::Master(order) if state => self.order(index, order),
             Effect::RunProgram if state => self.requests.push(Request::Run(Task::Program(object))),
             Effect::HaltProgram if state => self.requests.push(Request::Halt(Task::Program(object))),
