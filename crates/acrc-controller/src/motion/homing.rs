@@ -32,9 +32,10 @@ impl Machine {
             negative_final: flag(law::HOME_NEGATIVE_FINAL),
         };
         let levels = self.switch_levels(axis);
+        let setpoint = self.registers_of(axis).primary_setpoint();
         let state = &mut self.axes[usize::from(axis)];
         // What the switches show at this moment, also when nothing has moved yet.
-        state.limits.update(levels, 0.0, 0.0, true);
+        state.limits.update(levels, setpoint, 0.0, true);
         let inputs = state.limits.homing_inputs();
         let ramp = state.limits.settings().hardware_deceleration;
         let profilers = &mut state.profilers;
