@@ -107,10 +107,14 @@ impl Machine {
         state.profilers.jog.set_settings(jog).map_err(refused)
     }
 
-    /// The inputs of the limits of an axis.
+    /// The inputs of the limits of an axis: three in a row, or each by itself.
     fn switches(&self, axis: u8) -> [Option<u32>; 3] {
-        let first = self.axis_setting(command::HLBIT, axis);
-        if (0.0..=f64::from(u32::MAX)).contains(&first) { limit_inputs(first as u32) } else { [None; 3] }
+        let input = |value: f64| (0.0..=f64::from(u32::MAX)).contains(&value).then_some(value as u32);
+        let mut values = self.axis_settings(command::HLBIT, axis).map(input);
+        match [values.next(), values.next(), values.next()] {
+            [positive, Some(negative), home] => [positive.flatten(), negative, home.flatten()],
+            [first, ..] => first.flatten().map_or([None; 3], limit_inputs),
+        }
     }
 
     /// The first value of a setting; 0 if it is none.
