@@ -14,6 +14,8 @@ pub(crate) struct Master {
     pub(crate) profiler: Profiler,
     /// What the next move is made with.
     pub(crate) settings: MoveSettings,
+    /// What statements have said of moves to come.
+    pub(crate) ahead: Ahead,
     /// A move has just ended; whether its velocity dropped is known in the next tick.
     pub(crate) settling: bool,
     /// `VECTOR`.
@@ -24,6 +26,30 @@ pub(crate) struct Master {
     pub(crate) slots: [Option<u8>; SLOTS],
     /// What a run reports of it.
     pub(crate) statistics: MasterStatistics,
+}
+
+/// What statements have said of moves to come, beside their settings.
+#[derive(Debug, Default)]
+pub(crate) struct Ahead {
+    /// The axes whose moves make arcs in pairs (`TARC ON`).
+    pub(crate) arc: Option<OpenArc>,
+}
+
+/// Axes whose moves make arcs in pairs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OpenArc {
+    pub(crate) slots: [usize; 3],
+    /// The point on the way, when the first move of a pair has given it.
+    pub(crate) via: Option<[f64; 3]>,
+}
+
+impl Ahead {
+    /// Drops what a move that never comes would have been made of.
+    pub(crate) fn forget(&mut self) {
+        if let Some(arc) = &mut self.arc {
+            arc.via = None;
+        }
+    }
 }
 
 /// What a master did during a run.
@@ -40,6 +66,7 @@ impl Master {
         Self {
             profiler: Profiler::new(QUEUE),
             settings: MoveSettings::default(),
+            ahead: Ahead::default(),
             settling: false,
             vector: 0.0,
             program: None,

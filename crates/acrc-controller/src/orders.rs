@@ -24,6 +24,9 @@ impl Machine {
     /// Carries out an order. A master that does not exist is left alone.
     pub(crate) fn order(&mut self, index: usize, order: Order) {
         let Some(master) = self.masters.get_mut(index) else { return };
+        if !matches!(order, Order::Feedhold | Order::CycleStart) {
+            master.ahead.forget();
+        }
         match order {
             Order::Feedhold => master.profiler.feedhold(),
             Order::CycleStart => master.profiler.cycle_start(),

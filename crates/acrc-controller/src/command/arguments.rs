@@ -105,6 +105,20 @@ impl Context<'_> {
         }
     }
 
+    /// The slots of a master that hold the axes of a call.
+    pub(super) fn slots(&self, call: &Call, master: usize) -> Result<Vec<usize>, ControllerError> {
+        self.axes(call)?.iter().map(|argument| self.slot(call, master, argument.axis)).collect()
+    }
+
+    /// The slot of a master that holds an axis.
+    pub(super) fn slot(&self, call: &Call, master: usize, axis: u8) -> Result<usize, ControllerError> {
+        let slave = self.machine.axes[usize::from(axis)].slave.filter(|slave| usize::from(slave.master) == master);
+        let command = call.command.info().name;
+        let slave =
+            slave.ok_or(ControllerError::Expected { command, expected: "axes that are attached to a master" })?;
+        Ok(usize::from(slave.slot))
+    }
+
     /// An axis by number.
     pub(super) fn axis(&self, index: i64) -> Result<u8, ControllerError> {
         Machine::object("AXIS", index, self.machine.model.axes)

@@ -2,6 +2,7 @@
 //!
 //! A command that is in none of the tables is refused before a run starts ([`supported`]), never skipped.
 
+mod arcs;
 mod arguments;
 mod attach;
 mod axis;

@@ -1,60 +1,116 @@
-//! Coordinated moves (guide, "Making Motion").
+//! Coordinated moves (guide, "Move Types", "Combining Types of Motion").
+//!
+//! A statement has parts: what stands behind the name of a kind of move, up to the next one, is of that kind. In every
+//! part an axis with a single value goes straight.
 
-use acrc_catalog::{ObjectKind, command, law, message};
-use acrc_motion::{Move, PushError, Target};
+use acrc_catalog::{CommandId, ObjectKind, command, law, message};
+use acrc_motion::{Move, PushError, Sine, Target};
 use acrc_vm::{Arg, ArgValue, Call, Outcome};
 
+use super::arcs;
 use super::arguments::real;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
 
-pub(super) const COMMANDS: &[Entry] = &[(command::AXIS_MOVE, Action::Run(linear)), (command::MOV, Action::Run(linear))];
+pub(super) const COMMANDS: &[Entry] = &[
+    (command::AXIS_MOVE, Action::Run(coordinated)),
+    (command::MOV, Action::Run(coordinated)),
+    (command::CIRCW, Action::Run(coordinated)),
+    (command::CIRCCW, Action::Run(coordinated)),
+    (command::SINE, Action::Run(coordinated)),
+    (command::TARC, Action::Run(coordinated)),
+    (command::TARC_ON, Action::Run(arcs::open)),
+    (command::TARC_OFF, Action::Run(arcs::close)),
+];
 
-/// A linear move: queued when there is room, offered again when there is none.
-fn linear(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    let program = context.program(call)?;
-    let master = usize::from(context.machine.master_of(program)?);
-    let kamr = |axis| context.machine.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
-    if context.machine.masters[master].attached().any(|(_, axis)| kamr(axis)) {
-        return Err(ControllerError::Said(message::SLAVE_KILLED));
-    }
-    let killed = law::KILL_ALL_MOVES.at(master as u32);
-    if context.machine.flags.get(killed) {
-        return Err(ControllerError::Killed { master: master as u8, bit: killed });
-    }
+/// An axis of a part that takes several values.
+pub(super) struct Bent {
+    pub(super) slot: usize,
+    pub(super) values: Vec<f64>,
+}
+
+/// A statement of moves: queued when there is room, offered again when there is none.
+fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = context.movable(call)?;
     if !context.machine.masters[master].profiler.can_accept() {
         return Ok(Outcome::Again);
     }
-    let settings = context.machine.masters[master].settings;
-    let mut next = Move::new(settings);
-    for argument in call.arguments {
-        let (slot, target) = context.target(program, call, argument)?;
-        if next.targets[slot].replace(target).is_some() {
-            let problem = format!("the axis in SLAVE{slot} is given two targets");
-            return Err(ControllerError::BadValue { command: call.command.info().name, problem });
-        }
+    let next = context.statement(call, call.arguments)?;
+    match context.paired(master, next)? {
+        Some(next) => context.queue(call, master, &next),
+        None => Ok(Outcome::Done),
     }
-    if settings.velocity == 0.0 {
-        let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
-        return Err(ControllerError::BadValue { command: call.command.info().name, problem });
-    }
-    let result = context.machine.masters[master].profiler.push(&next);
-    match result {
-        Ok(()) => {}
-        Err(PushError::Full | PushError::Stopping) => return Ok(Outcome::Again),
-        Err(error) => return Err(ControllerError::Move(error.to_string())),
-    }
-    context.machine.update_master_flags(master);
-    Ok(Outcome::Done)
 }
 
 impl Context<'_> {
-    /// Slot and target of one axis of a move.
-    fn target(&self, program: u8, call: &Call, argument: &Arg) -> Result<(usize, Target), ControllerError> {
-        let command = call.command.info().name;
+    /// The master of the program, if its axes may move.
+    pub(super) fn movable(&self, call: &Call) -> Result<usize, ControllerError> {
+        let master = usize::from(self.machine.master_of(self.program(call)?)?);
+        let kamr = |axis| self.machine.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
+        if self.machine.masters[master].attached().any(|(_, axis)| kamr(axis)) {
+            return Err(ControllerError::Said(message::SLAVE_KILLED));
+        }
+        let killed = law::KILL_ALL_MOVES.at(master as u32);
+        if self.machine.flags.get(killed) {
+            return Err(ControllerError::Killed { master: master as u8, bit: killed });
+        }
+        self.moving_settings(call, master)?;
+        Ok(master)
+    }
+
+    /// A move without velocity would never end.
+    fn moving_settings(&self, call: &Call, master: usize) -> Result<(), ControllerError> {
+        if self.machine.masters[master].settings.velocity > 0.0 {
+            return Ok(());
+        }
+        let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
+        Err(ControllerError::BadValue { command: call.command.info().name, problem })
+    }
+
+    /// The move of a statement, with the settings of now.
+    pub(super) fn statement(&self, call: &Call, arguments: &[Arg]) -> Result<Move, ControllerError> {
+        let program = self.program(call)?;
+        let master = usize::from(self.machine.master_of(program)?);
+        let mut next = Move::new(self.machine.masters[master].settings);
+        let mut kind = call.command;
+        let mut bent: Vec<Bent> = Vec::new();
+        for argument in arguments {
+            if let Arg::Interpolation(other) = argument {
+                next = part(next, kind, &bent)?;
+                bent.clear();
+                kind = *other;
+                continue;
+            }
+            let (slot, slash, value) = self.axis_of_move(kind, program, argument)?;
+            match value {
+                ArgValue::Value(value) => {
+                    let value = real(kind.info().name, value)?;
+                    let target = if slash { Target::Relative(value) } else { Target::Absolute(value) };
+                    next = to(next, kind, slot, target)?;
+                }
+                ArgValue::Tuple(values) if !slash => {
+                    let values = values.iter().map(|value| real(kind.info().name, value)).collect::<Result<_, _>>()?;
+                    bent.push(Bent { slot, values });
+                }
+                _ => {
+                    let expected = "a target behind each axis, relative ones for straight moves only";
+                    return Err(ControllerError::Expected { command: kind.info().name, expected });
+                }
+            }
+        }
+        part(next, kind, &bent)
+    }
+
+    /// Slot, slash and value of one axis of a move.
+    pub(super) fn axis_of_move<'c>(
+        &self,
+        kind: CommandId,
+        program: u8,
+        argument: &'c Arg,
+    ) -> Result<(usize, bool, &'c ArgValue), ControllerError> {
+        let command = kind.info().name;
         let (name, slash, value) = match argument {
             Arg::Axis { name, slash, value } => (*name, *slash, value),
-            Arg::Interpolation(interpolation) => return Err(ControllerError::NotSimulated(*interpolation)),
             Arg::Object { kind: ObjectKind::Axis, .. } => {
                 return Err(ControllerError::Expected {
                     command,
@@ -64,13 +120,54 @@ impl Context<'_> {
             _ => return Err(ControllerError::Expected { command, expected: "axis names with targets" }),
         };
         let axis = self.machine.named_axis(program, name)?;
-        let ArgValue::Value(value) = value else {
-            return Err(ControllerError::Expected { command, expected: "one target behind each axis" });
-        };
         let slave = self.machine.axes[usize::from(axis)].slave;
         let slave = slave.ok_or(ControllerError::UnknownAxis { program, name: name.to_string() })?;
-        let value = real(command, value)?;
-        let target = if slash { Target::Relative(value) } else { Target::Absolute(value) };
-        Ok((usize::from(slave.slot), target))
+        Ok((usize::from(slave.slot), slash, value))
+    }
+
+    /// Queues a move, or asks to be offered it again where there is no room yet.
+    pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
+        match self.machine.masters[master].profiler.push(next) {
+            Ok(()) => {}
+            Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(Outcome::Again),
+            Err(error) => return Err(refused(call.command, error)),
+        }
+        self.machine.update_master_flags(master);
+        Ok(Outcome::Done)
+    }
+}
+
+/// Adds what the axes with several values make of a part.
+fn part(next: Move, kind: CommandId, bent: &[Bent]) -> Result<Move, ControllerError> {
+    match kind {
+        command::CIRCW | command::CIRCCW => arcs::planar(next, kind, bent),
+        command::TARC => arcs::in_space(next, bent),
+        command::SINE => bent.iter().try_fold(next, |next, bent| {
+            let [target, phase, sweep, amplitude] = bent.values[..] else {
+                let expected = "target, phase, sweep and amplitude of each axis";
+                return Err(ControllerError::Expected { command: kind.info().name, expected });
+            };
+            to(next, kind, bent.slot, Target::Sine(Sine { target, phase, sweep, amplitude }))
+        }),
+        _ if bent.is_empty() => Ok(next),
+        _ => Err(ControllerError::Expected { command: kind.info().name, expected: "one target behind each axis" }),
+    }
+}
+
+/// Gives an axis its only target.
+fn to(next: Move, kind: CommandId, slot: usize, target: Target) -> Result<Move, ControllerError> {
+    if next.targets[slot].is_some() { Err(twice(kind, slot)) } else { Ok(next.to(slot, target)) }
+}
+
+fn twice(kind: CommandId, slot: usize) -> ControllerError {
+    let problem = format!("the axis in SLAVE{slot} is given two targets");
+    ControllerError::BadValue { command: kind.info().name, problem }
+}
+
+/// What a master does not do, as the program hears of it.
+pub(super) fn refused(kind: CommandId, error: PushError) -> ControllerError {
+    match error {
+        PushError::SlotTwice(slot) => twice(kind, slot),
+        error => ControllerError::Move(error.to_string()),
     }
 }

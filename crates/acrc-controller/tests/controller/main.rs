@@ -1,5 +1,6 @@
 //! What a program does on the controller, seen from outside: one short test for each rule of the guide and of `docs/fidelity.md`.
 
+mod arcs;
 mod attachments;
 mod bits;
 mod catalogue;

@@ -12,6 +12,10 @@ use acrc_syntax::units::Level;
 pub(crate) const TWO_AXES: &str = "SYS\nDIM P(10)\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n\
                                    ACC 100 DEC 100 STP 100 VEL 10\n";
 
+/// The same with Z as a third axis.
+pub(crate) const THREE_AXES: &str = "SYS\nDIM P(10)\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n\
+                                     ATTACH SLAVE2 AXIS2 \"Z\"\nACC 100 DEC 100 STP 100 VEL 10\n";
+
 /// A run to be made.
 pub(crate) struct Sim {
     text: String,
@@ -44,6 +48,11 @@ impl Sim {
     /// Program 0 with the axes X and Y, started.
     pub(crate) fn program(body: &str) -> Self {
         Self::new(&format!("{TWO_AXES}PROGRAM\n{body}\nENDP\n")).start(&[0])
+    }
+
+    /// Program 0 with the axes X, Y and Z, started.
+    pub(crate) fn in_space(body: &str) -> Self {
+        Self::new(&format!("{THREE_AXES}PROGRAM\n{body}\nENDP\n")).start(&[0])
     }
 
     pub(crate) fn start(mut self, programs: &[u8]) -> Self {

@@ -20,6 +20,7 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
     (34, &[Shows(targets), Shows(end_position)]),
     (35, &[Shows(targets), Shows(end_position)]),
     (36, &[Shows(mixed_targets), Shows(end_position)]),
+    (37, &[Shows(line_and_sine_together), Shows(sine_starts), Shows(sine_ends)]),
     (38, &[Shows(override_speeds), Shows(override_keeps_velocity)]),
     (
         40,
@@ -157,6 +158,34 @@ fn end_position(listing: &Listing, fact: &Fact) {
     let bench = ran(listing, 300.0);
     fact.holds(bench.position(0), 0.0);
     assert!(!bench.bit(516));
+}
+
+/// The file from where the sinusoid begins.
+fn line_and_sine(listing: &Listing) -> Bench {
+    let mut bench = Bench::planned(listing, &Plan { before: "RES Y100", ..Plan::default() });
+    bench.pass(60.0).clean();
+    bench
+}
+
+fn line_and_sine_together(listing: &Listing, _: &Fact) {
+    let bench = line_and_sine(listing);
+    assert_eq!(bench.motions().len(), 1);
+    let begin = bench.motions()[0].0;
+    for sample in bench.record.samples.iter().filter(|sample| sample.seconds >= begin) {
+        // X says how much of the way is done.
+        let degrees = 90.0 + 90.0 * sample.position[0] / 2.0;
+        near(sample.position[1], 100.0 * degrees.to_radians().sin(), 1e-9);
+    }
+    assert_eq!(bench.position(0), 2.0);
+}
+
+fn sine_starts(listing: &Listing, fact: &Fact) {
+    let bench = line_and_sine(listing);
+    fact.holds(bench.at(bench.motions()[0].0).position[1], 0.1);
+}
+
+fn sine_ends(listing: &Listing, fact: &Fact) {
+    fact.holds(line_and_sine(listing).position(1), 0.0);
 }
 
 fn override_speeds(listing: &Listing, fact: &Fact) {

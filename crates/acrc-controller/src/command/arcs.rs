@@ -1,0 +1,116 @@
+//! Arcs: of two axes by end and centre, of three by end and a point on the way (guide, "Move Types").
+
+use acrc_catalog::{CommandId, command};
+use acrc_motion::{Arc, Move, SpaceArc, Target, Turn};
+use acrc_vm::{Call, Outcome};
+
+use super::Context;
+use super::moves::Bent;
+use crate::error::ControllerError;
+use crate::master::OpenArc;
+
+/// `CIRCW X(end, centre) Y(end, centre)`: each pair of axes makes an arc, the first one of a pair is its primary axis.
+pub(super) fn planar(next: Move, kind: CommandId, bent: &[Bent]) -> Result<Move, ControllerError> {
+    let turn = if kind == command::CIRCW { Turn::Clockwise } else { Turn::CounterClockwise };
+    bent.chunks(2).try_fold(next, |next, pair| match pair {
+        [first, second] => {
+            let [(x, center_x), (y, center_y)] = [two(kind, first)?, two(kind, second)?];
+            Ok(next.arc(Arc {
+                slots: [first.slot, second.slot],
+                target: [x, y],
+                center: [center_x, center_y],
+                relative_target: false,
+                relative_center: false,
+                turn,
+            }))
+        }
+        _ => Err(expected(kind, "two axes for an arc, each with its end and its centre")),
+    })
+}
+
+/// `TARC X(end, via) Y(end, via) Z(end, via)`
+pub(super) fn in_space(next: Move, bent: &[Bent]) -> Result<Move, ControllerError> {
+    let kind = command::TARC;
+    match bent {
+        [] => Ok(next),
+        [x, y, z] => {
+            let [x_values, y_values, z_values] = [two(kind, x)?, two(kind, y)?, two(kind, z)?];
+            Ok(next.space_arc(SpaceArc {
+                slots: [x.slot, y.slot, z.slot],
+                target: [x_values.0, y_values.0, z_values.0],
+                via: [x_values.1, y_values.1, z_values.1],
+            }))
+        }
+        _ => Err(expected(kind, "three axes, each with its end and a point on the way")),
+    }
+}
+
+/// `TARC ON X Y Z`: of every two moves of these axes the first is a point on the way, the second the end of an arc.
+pub(super) fn open(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = usize::from(context.machine.master_of(context.program(call)?)?);
+    let [first, second, third] = context.slots(call, master)?[..] else {
+        return Err(expected(call.command, "the three axes of the arcs"));
+    };
+    end_pair(context, call, master)?;
+    context.machine.masters[master].ahead.arc = Some(OpenArc { slots: [first, second, third], via: None });
+    Ok(Outcome::Done)
+}
+
+/// `TARC OFF X Y Z`: moves are straight again.
+pub(super) fn close(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = usize::from(context.machine.master_of(context.program(call)?)?);
+    end_pair(context, call, master)?;
+    Ok(Outcome::Done)
+}
+
+/// Ends arcs of pairs between two pairs.
+fn end_pair(context: &mut Context, call: &Call, master: usize) -> Result<(), ControllerError> {
+    let arc = context.machine.masters[master].ahead.arc.take();
+    if arc.is_some_and(|arc| arc.via.is_some()) {
+        let problem = "the arc has a point on its way but no end: a second move gives it".to_owned();
+        return Err(ControllerError::BadValue { command: call.command.info().name, problem });
+    }
+    Ok(())
+}
+
+impl Context<'_> {
+    /// A move as it is between `TARC ON` and `TARC OFF`: `None` for the first one of a pair.
+    pub(super) fn paired(&mut self, master: usize, mut next: Move) -> Result<Option<Move>, ControllerError> {
+        let master = &mut self.machine.masters[master];
+        let Some(arc) = &mut master.ahead.arc else { return Ok(Some(next)) };
+        let targets = arc.slots.map(|slot| next.targets[slot].take());
+        if targets.iter().all(Option::is_none) {
+            return Ok(Some(next));
+        }
+        let from = arc.via.unwrap_or(arc.slots.map(|slot| master.profiler.programmed_target(slot)));
+        let mut point = from;
+        for (place, target) in point.iter_mut().zip(targets) {
+            match target {
+                None => {}
+                Some(Target::Absolute(position)) => *place = position,
+                Some(Target::Relative(distance)) => *place += distance,
+                Some(Target::Sine(_)) => {
+                    return Err(expected(command::TARC_ON, "straight moves of its axes"));
+                }
+            }
+        }
+        match arc.via.take() {
+            None => {
+                arc.via = Some(point);
+                Ok(None)
+            }
+            Some(via) => Ok(Some(next.space_arc(SpaceArc { slots: arc.slots, via, target: point }))),
+        }
+    }
+}
+
+fn two(kind: CommandId, bent: &Bent) -> Result<(f64, f64), ControllerError> {
+    match bent.values[..] {
+        [end, other] => Ok((end, other)),
+        _ => Err(expected(kind, "two values behind each axis of the arc")),
+    }
+}
+
+fn expected(kind: CommandId, expected: &'static str) -> ControllerError {
+    ControllerError::Expected { command: kind.info().name, expected }
+}
