@@ -10,36 +10,38 @@ use crate::error::ControllerError;
 use crate::master::OpenArc;
 
 /// `CIRCW X(end, centre) Y(end, centre)`: each pair of axes makes an arc, the first one of a pair is its primary axis.
-pub(super) fn planar(next: Move, kind: CommandId, bent: &[Bent]) -> Result<Move, ControllerError> {
+pub(super) fn planar(next: &mut Move, kind: CommandId, bent: &[Bent]) -> Result<(), ControllerError> {
     let turn = if kind == command::CIRCW { Turn::Clockwise } else { Turn::CounterClockwise };
-    bent.chunks(2).try_fold(next, |next, pair| match pair {
+    bent.chunks(2).try_for_each(|pair| match pair {
         [first, second] => {
             let [(x, center_x), (y, center_y)] = [two(kind, first)?, two(kind, second)?];
-            Ok(next.arc(Arc {
+            *next = next.arc(Arc {
                 slots: [first.slot, second.slot],
                 target: [x, y],
                 center: [center_x, center_y],
                 relative_target: false,
                 relative_center: false,
                 turn,
-            }))
+            });
+            Ok(())
         }
         _ => Err(expected(kind, "two axes for an arc, each with its end and its centre")),
     })
 }
 
 /// `TARC X(end, via) Y(end, via) Z(end, via)`
-pub(super) fn in_space(next: Move, bent: &[Bent]) -> Result<Move, ControllerError> {
+pub(super) fn in_space(next: &mut Move, bent: &[Bent]) -> Result<(), ControllerError> {
     let kind = command::TARC;
     match bent {
-        [] => Ok(next),
+        [] => Ok(()),
         [x, y, z] => {
             let [x_values, y_values, z_values] = [two(kind, x)?, two(kind, y)?, two(kind, z)?];
-            Ok(next.space_arc(SpaceArc {
+            *next = next.space_arc(SpaceArc {
                 slots: [x.slot, y.slot, z.slot],
                 target: [x_values.0, y_values.0, z_values.0],
                 via: [x_values.1, y_values.1, z_values.1],
-            }))
+            });
+            Ok(())
         }
         _ => Err(expected(kind, "three axes, each with its end and a point on the way")),
     }
@@ -74,13 +76,13 @@ fn end_pair(context: &mut Context, call: &Call, master: usize) -> Result<(), Con
 }
 
 impl Context<'_> {
-    /// A move as it is between `TARC ON` and `TARC OFF`: `None` for the first one of a pair.
-    pub(super) fn paired(&mut self, master: usize, mut next: Move) -> Result<Option<Move>, ControllerError> {
+    /// Makes a move what it is between `TARC ON` and `TARC OFF`. False for the first one of a pair, which is none.
+    pub(super) fn pair(&mut self, master: usize, next: &mut Move) -> Result<bool, ControllerError> {
         let master = &mut self.machine.masters[master];
-        let Some(arc) = &mut master.ahead.arc else { return Ok(Some(next)) };
+        let Some(arc) = &mut master.ahead.arc else { return Ok(true) };
         let targets = arc.slots.map(|slot| next.targets[slot].take());
         if targets.iter().all(Option::is_none) {
-            return Ok(Some(next));
+            return Ok(true);
         }
         let from = arc.via.unwrap_or(arc.slots.map(|slot| master.profiler.programmed_target(slot)));
         let mut point = from;
@@ -97,9 +99,12 @@ impl Context<'_> {
         match arc.via.take() {
             None => {
                 arc.via = Some(point);
-                Ok(None)
+                Ok(false)
             }
-            Some(via) => Ok(Some(next.space_arc(SpaceArc { slots: arc.slots, via, target: point }))),
+            Some(via) => {
+                *next = next.space_arc(SpaceArc { slots: arc.slots, via, target: point });
+                Ok(true)
+            }
         }
     }
 }

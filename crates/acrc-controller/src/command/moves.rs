@@ -35,11 +35,8 @@ fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     if !context.machine.masters[master].profiler.can_accept() {
         return Ok(Outcome::Again);
     }
-    let next = context.statement(call, call.arguments)?;
-    match context.paired(master, next)? {
-        Some(next) => context.queue(call, master, &next),
-        None => Ok(Outcome::Done),
-    }
+    let mut next = context.statement(call, call.arguments)?;
+    if context.pair(master, &mut next)? { context.queue(call, master, &next) } else { Ok(Outcome::Done) }
 }
 
 impl Context<'_> {
@@ -76,7 +73,7 @@ impl Context<'_> {
         let mut bent: Vec<Bent> = Vec::new();
         for argument in arguments {
             if let Arg::Interpolation(other) = argument {
-                next = part(next, kind, &bent)?;
+                part(&mut next, kind, &bent)?;
                 bent.clear();
                 kind = *other;
                 continue;
@@ -86,7 +83,7 @@ impl Context<'_> {
                 ArgValue::Value(value) => {
                     let value = real(kind.info().name, value)?;
                     let target = if slash { Target::Relative(value) } else { Target::Absolute(value) };
-                    next = to(next, kind, slot, target)?;
+                    to(&mut next, kind, slot, target)?;
                 }
                 ArgValue::Tuple(values) if !slash => {
                     let values = values.iter().map(|value| real(kind.info().name, value)).collect::<Result<_, _>>()?;
@@ -98,7 +95,8 @@ impl Context<'_> {
                 }
             }
         }
-        part(next, kind, &bent)
+        part(&mut next, kind, &bent)?;
+        Ok(next)
     }
 
     /// Slot, slash and value of one axis of a move.
@@ -138,25 +136,25 @@ impl Context<'_> {
 }
 
 /// Adds what the axes with several values make of a part.
-fn part(next: Move, kind: CommandId, bent: &[Bent]) -> Result<Move, ControllerError> {
+fn part(next: &mut Move, kind: CommandId, bent: &[Bent]) -> Result<(), ControllerError> {
     match kind {
         command::CIRCW | command::CIRCCW => arcs::planar(next, kind, bent),
         command::TARC => arcs::in_space(next, bent),
-        command::SINE => bent.iter().try_fold(next, |next, bent| {
+        command::SINE => bent.iter().try_for_each(|bent| {
             let [target, phase, sweep, amplitude] = bent.values[..] else {
                 let expected = "target, phase, sweep and amplitude of each axis";
                 return Err(ControllerError::Expected { command: kind.info().name, expected });
             };
             to(next, kind, bent.slot, Target::Sine(Sine { target, phase, sweep, amplitude }))
         }),
-        _ if bent.is_empty() => Ok(next),
+        _ if bent.is_empty() => Ok(()),
         _ => Err(ControllerError::Expected { command: kind.info().name, expected: "one target behind each axis" }),
     }
 }
 
 /// Gives an axis its only target.
-fn to(next: Move, kind: CommandId, slot: usize, target: Target) -> Result<Move, ControllerError> {
-    if next.targets[slot].is_some() { Err(twice(kind, slot)) } else { Ok(next.to(slot, target)) }
+fn to(next: &mut Move, kind: CommandId, slot: usize, target: Target) -> Result<(), ControllerError> {
+    if next.targets[slot].replace(target).is_some() { Err(twice(kind, slot)) } else { Ok(()) }
 }
 
 fn twice(kind: CommandId, slot: usize) -> ControllerError {
