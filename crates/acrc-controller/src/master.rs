@@ -1,6 +1,6 @@
 //! One master: a coordinated-move profiler with its settings and slave slots (guide, "Master/Slave Attachments").
 
-use acrc_motion::{Master as Profiler, MoveSettings};
+use acrc_motion::{Lookahead, Master as Profiler, MoveSettings, SettingError};
 
 /// Slave slots of a master.
 pub(crate) const SLOTS: usize = 16;
@@ -14,6 +14,9 @@ pub(crate) struct Master {
     pub(crate) profiler: Profiler,
     /// What the next move is made with.
     pub(crate) settings: MoveSettings,
+    /// Moves take the time of `TMOV`.
+    pub(crate) timed: bool,
+    pub(crate) look: Look,
     /// What statements have said of moves to come.
     pub(crate) ahead: Ahead,
     /// A move has just ended; whether its velocity dropped is known in the next tick.
@@ -26,6 +29,20 @@ pub(crate) struct Master {
     pub(crate) slots: [Option<u8>; SLOTS],
     /// What a run reports of it.
     pub(crate) statistics: MasterStatistics,
+}
+
+/// `LOOK`
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Look {
+    pub(crate) on: bool,
+    pub(crate) angles: Lookahead,
+    pub(crate) mode: f64,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { on: false, angles: Lookahead { full: 0.0, stop: 90.0 }, mode: 0.0 }
+    }
 }
 
 /// What statements have said of moves to come, beside their settings.
@@ -66,6 +83,8 @@ impl Master {
         Self {
             profiler: Profiler::new(QUEUE),
             settings: MoveSettings::default(),
+            timed: true,
+            look: Look::default(),
             ahead: Ahead::default(),
             settling: false,
             vector: 0.0,
@@ -73,6 +92,25 @@ impl Master {
             slots: [None; SLOTS],
             statistics: MasterStatistics::default(),
         }
+    }
+
+    /// What the next move is made with.
+    pub(crate) fn move_settings(&self) -> MoveSettings {
+        let time = if self.timed { self.settings.time } else { 0.0 };
+        MoveSettings { time, ..self.settings }
+    }
+
+    /// Forgets what was said of the axis that had a slot before.
+    pub(crate) fn renew_slot(&mut self, slot: usize) -> Result<(), SettingError> {
+        let profiler = &mut self.profiler;
+        profiler.set_weight(slot, 1.0)?;
+        profiler.set_scale(slot, 1.0, 0.0)?;
+        profiler.set_offset(slot, 0.0)?;
+        profiler.set_float(slot, 0.0)?;
+        profiler.set_rotation([0, 1], 0.0, [0.0; 2])?;
+        profiler.set_tangent(None)?;
+        self.ahead.arc = None;
+        Ok(())
     }
 
     /// The slots that hold an axis.

@@ -72,7 +72,7 @@ impl Context<'_> {
         call.arguments.iter().map(|argument| self.axis_argument(command, argument, call)).collect()
     }
 
-    fn axis_argument<'c>(
+    pub(super) fn axis_argument<'c>(
         &self,
         command: &'static str,
         argument: &'c Arg,

@@ -90,8 +90,7 @@ impl Machine {
         let position = self.position(axis);
         let profiler = &mut self.masters[master].profiler;
         profiler.set_position(slot, position).map_err(|_| ControllerError::InMotion)?;
-        // What `VECDEF` said of the axis that had the slot before is not meant for this one.
-        profiler.set_weight(slot, 1.0).map_err(|error| ControllerError::Move(error.to_string()))?;
+        self.masters[master].renew_slot(slot).map_err(|error| ControllerError::Move(error.to_string()))?;
         self.masters[master].slots[slot] = Some(axis);
         self.axes[usize::from(axis)].slave = Some(place);
         self.attachments[usize::from(program)].names[slot] = Some(name);

@@ -15,6 +15,7 @@ mod logic;
 mod moves;
 mod network;
 mod nonvolatile;
+mod path;
 mod profile;
 mod reports;
 mod settings;
@@ -93,6 +94,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         moves::COMMANDS,
         network::COMMANDS,
         nonvolatile::COMMANDS,
+        path::COMMANDS,
         profile::COMMANDS,
         reports::COMMANDS,
         settings::COMMANDS,

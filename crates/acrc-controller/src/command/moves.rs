@@ -68,7 +68,7 @@ impl Context<'_> {
     pub(super) fn statement(&self, call: &Call, arguments: &[Arg]) -> Result<Move, ControllerError> {
         let program = self.program(call)?;
         let master = usize::from(self.machine.master_of(program)?);
-        let mut next = Move::new(self.machine.masters[master].settings);
+        let mut next = Move::new(self.machine.masters[master].move_settings());
         let mut kind = call.command;
         let mut bent: Vec<Bent> = Vec::new();
         for argument in arguments {
@@ -125,6 +125,7 @@ impl Context<'_> {
 
     /// Queues a move, or asks to be offered it again where there is no room yet.
     pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
+        self.machine.take_rotary_lengths(master)?;
         match self.machine.masters[master].profiler.push(next) {
             Ok(()) => {}
             Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(Outcome::Again),

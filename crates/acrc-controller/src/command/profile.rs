@@ -19,7 +19,10 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::IVEL, Action::Run(profile_value)),
     (command::JRK, Action::Run(profile_value)),
     (command::TMOV, Action::Run(profile_value)),
+    (command::TMOV_ON, Action::Run(timed)),
+    (command::TMOV_OFF, Action::Run(timed)),
     (command::FOV, Action::Run(profile_value)),
+    (command::ROV, Action::Run(profile_value)),
     (command::VECTOR, Action::Run(profile_value)),
     (command::VECDEF, Action::Run(weights)),
 ];
@@ -48,6 +51,7 @@ fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, Controll
 fn current(master: &mut Master, command: CommandId) -> f64 {
     match command {
         command::FOV => master.profiler.feedrate_override(),
+        command::ROV => master.profiler.rapid_override(),
         command::VECTOR => master.vector,
         _ => *setting(&mut master.settings, command) * per_setting(command),
     }
@@ -56,6 +60,7 @@ fn current(master: &mut Master, command: CommandId) -> f64 {
 fn change(master: &mut Master, command: CommandId, value: f64) -> Result<(), SettingError> {
     match command {
         command::FOV => master.profiler.set_feedrate_override(value)?,
+        command::ROV => master.profiler.set_rapid_override(value)?,
         command::VECTOR => {
             master.profiler.set_vector(value)?;
             master.vector = value;
@@ -82,6 +87,13 @@ fn setting(settings: &mut MoveSettings, command: CommandId) -> &mut f64 {
         command::TMOV => &mut settings.time,
         _ => &mut settings.velocity,
     }
+}
+
+/// `TMOV ON` and `TMOV OFF`: whether moves take the time of `TMOV`.
+fn timed(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = context.master(call)?;
+    context.machine.masters[master].timed = call.command == command::TMOV_ON;
+    Ok(Outcome::Done)
 }
 
 /// `VECDEF`: the weight of each axis in the length of the path.

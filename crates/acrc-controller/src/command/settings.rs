@@ -10,19 +10,7 @@ use crate::settings::{Item, most_objects};
 
 /// Settings that change the path, the velocity or the time of coordinated moves in ways that the dry run does not follow. They are refused, since a run
 /// that left them out would show another motion.
-const SHAPING: [CommandId; 11] = [
-    command::MAXVEL,
-    command::ROTARY,
-    command::FLZ,
-    command::OFFSET,
-    command::ROTATE,
-    command::SCALE,
-    command::LOOK_MODE,
-    command::LOOK_ANG,
-    command::ROV,
-    command::SRC,
-    command::TOV,
-];
+const SHAPING: [CommandId; 3] = [command::MAXVEL, command::SRC, command::TOV];
 
 /// Settings that act by themselves on the controller unless they are 0, and what the run says of them.
 const ACTING: [(CommandId, &str); 1] = [(command::ENC_ROTARY, "was set: the dry run does not fold encoder positions")];

@@ -12,6 +12,7 @@ mod memory;
 mod moves;
 mod nonvolatile;
 mod parameters;
+mod path;
 mod plcs;
 mod polling;
 mod programs;
