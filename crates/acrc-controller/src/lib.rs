@@ -11,6 +11,7 @@ mod aliases;
 mod axis;
 mod command;
 mod controller;
+mod coordination;
 mod error;
 mod flags;
 mod footprint;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use acrc_catalog::{Model, law};
 use acrc_image::AxisName;
-use acrc_motion::{HoldState, Master as Profiler};
+use acrc_motion::{HoldState, Master as Profiler, Phase};
 use acrc_syntax::units::Level;
 use acrc_vm::Text;
 
@@ -170,6 +170,7 @@ impl Machine {
                 self.settle_master(index);
             }
         }
+        self.start_groups();
         self.advance_axes(self.clock.period(), arrays);
     }
 
@@ -245,6 +246,7 @@ impl Machine {
             self.stopped(index);
         }
         self.note_drop(index, advanced.dropped_velocity);
+        self.watch_moves(index);
         self.update_master_flags(index);
     }
 
@@ -252,11 +254,12 @@ impl Machine {
     pub(crate) fn update_master_flags(&mut self, index: usize) {
         let profiler = &self.masters[index].profiler;
         let hold = profiler.hold_state();
-        let acceleration = profiler.vector_acceleration();
+        let phase = profiler.phase();
         let states = [
             (law::IN_MOTION, profiler.in_motion()),
-            (law::ACCELERATING, acceleration > 0.0),
-            (law::DECELERATING, acceleration < 0.0),
+            (law::ACCELERATING, phase == Phase::Accelerating),
+            (law::DECELERATING, phase == Phase::Decelerating),
+            (law::STOPPING, phase == Phase::Stopping),
             (law::FEEDHOLDING, hold == HoldState::Feedholding),
             (law::IN_FEEDHOLD, hold == HoldState::InFeedhold),
         ];

@@ -2,6 +2,8 @@
 
 use acrc_motion::{Lookahead, Master as Profiler, MoveSettings, SettingError};
 
+use crate::coordination::{Condition, Redirection};
+
 /// Slave slots of a master.
 pub(crate) const SLOTS: usize = 16;
 /// Moves that may wait behind the running one without `DIM MBUF`.
@@ -17,6 +19,8 @@ pub(crate) struct Master {
     /// Moves take the time of `TMOV`.
     pub(crate) timed: bool,
     pub(crate) look: Look,
+    /// The masters with which it begins its moves, itself among them, as bits (`SYNC`); none is zero.
+    pub(crate) group: u32,
     /// What statements have said of moves to come.
     pub(crate) ahead: Ahead,
     /// A move has just ended; whether its velocity dropped is known in the next tick.
@@ -48,6 +52,10 @@ impl Default for Look {
 /// What statements have said of moves to come, beside their settings.
 #[derive(Debug, Default)]
 pub(crate) struct Ahead {
+    /// What the next move waits for (`TRG`).
+    pub(crate) gate: Option<Condition>,
+    /// What redirects the last move (`HSINT`).
+    pub(crate) redirection: Option<Redirection>,
     /// The axes whose moves make arcs in pairs (`TARC ON`).
     pub(crate) arc: Option<OpenArc>,
 }
@@ -63,6 +71,8 @@ pub(crate) struct OpenArc {
 impl Ahead {
     /// Drops what a move that never comes would have been made of.
     pub(crate) fn forget(&mut self) {
+        self.gate = None;
+        self.redirection = None;
         if let Some(arc) = &mut self.arc {
             arc.via = None;
         }
@@ -85,6 +95,7 @@ impl Master {
             settings: MoveSettings::default(),
             timed: true,
             look: Look::default(),
+            group: 0,
             ahead: Ahead::default(),
             settling: false,
             vector: 0.0,

@@ -8,6 +8,7 @@ mod attach;
 mod axis;
 mod channel;
 mod follow;
+mod interrupts;
 mod io;
 mod jog;
 mod ladder;
@@ -87,6 +88,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         axis::COMMANDS,
         channel::COMMANDS,
         follow::COMMANDS,
+        interrupts::COMMANDS,
         io::COMMANDS,
         jog::COMMANDS,
         ladder::COMMANDS,

@@ -126,12 +126,14 @@ impl Context<'_> {
     /// Queues a move, or asks to be offered it again where there is no room yet.
     pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
         self.machine.take_rotary_lengths(master)?;
-        match self.machine.masters[master].profiler.push(next) {
-            Ok(()) => {}
+        let state = &mut self.machine.masters[master];
+        let next = state.ahead.gate.map_or(*next, |gate| next.gated(gate.code()));
+        match state.profiler.push(&next) {
+            Ok(()) => state.ahead.gate = None,
             Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(Outcome::Again),
             Err(error) => return Err(refused(call.command, error)),
         }
-        self.machine.update_master_flags(master);
+        self.machine.begin_moves(master);
         Ok(Outcome::Done)
     }
 }

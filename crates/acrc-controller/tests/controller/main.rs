@@ -8,6 +8,7 @@ mod devices;
 mod extremes;
 mod follow;
 mod holds;
+mod interrupts;
 mod memory;
 mod moves;
 mod nonvolatile;
