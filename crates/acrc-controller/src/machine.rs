@@ -216,31 +216,27 @@ impl Machine {
     }
 
     fn advance_master(&mut self, index: usize) {
-        let period = self.clock.period();
-        let master = &mut self.masters[index];
+        let master = &self.masters[index];
         let mut from = [0.0; SLOTS];
         for (slot, _) in master.attached() {
             from[slot] = master.profiler.position(slot);
         }
         let accelerated = master.profiler.vector_acceleration() > 0.0;
-        let advanced = master.profiler.advance(period);
+        let advanced = self.pass_time(index);
+        let master = &mut self.masters[index];
         let crest = if accelerated { crest(&master.profiler) } else { 1.0 };
         master.statistics.moves += u64::from(advanced.completed);
         master.settling = !master.profiler.in_motion();
         master.statistics.motion_ticks += 1;
         for (slot, axis) in master.attached() {
-            let profiler = &master.profiler;
+            let (velocity, acceleration) = master.motion(slot);
+            let position = master.profiler.position(slot);
             let axis = &mut self.axes[usize::from(axis)];
             if axis.profilers.active() {
-                axis.carried = profiler.position(slot) - from[slot];
+                axis.carried = position - from[slot];
                 continue;
             }
-            axis.statistics.record(
-                from[slot],
-                profiler.position(slot),
-                profiler.velocity(slot) * crest,
-                profiler.acceleration(slot),
-            );
+            axis.statistics.record(from[slot], position, velocity * crest, acceleration);
         }
         if advanced.stopped {
             self.stopped(index);
@@ -300,10 +296,7 @@ impl Machine {
     /// The part of its master in [`Machine::motion`].
     pub(crate) fn coordinated_motion(&self, axis: u8) -> (f64, f64) {
         match self.axes[usize::from(axis)].slave {
-            Some(SlaveSlot { master, slot }) => {
-                let profiler = &self.masters[usize::from(master)].profiler;
-                (profiler.velocity(usize::from(slot)), profiler.acceleration(usize::from(slot)))
-            }
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].motion(usize::from(slot)),
             None => (0.0, 0.0),
         }
     }

@@ -2,6 +2,7 @@
 
 use acrc_motion::{Lookahead, Master as Profiler, MoveSettings, SettingError};
 
+use crate::command::TimeBase;
 use crate::coordination::{Condition, Redirection};
 
 /// Slave slots of a master.
@@ -19,6 +20,8 @@ pub(crate) struct Master {
     /// Moves take the time of `TMOV`.
     pub(crate) timed: bool,
     pub(crate) look: Look,
+    /// What moves its time on (`SRC`, `TOV`).
+    pub(crate) time: TimeBase,
     /// The masters with which it begins its moves, itself among them, as bits (`SYNC`); none is zero.
     pub(crate) group: u32,
     /// What statements have said of moves to come.
@@ -95,6 +98,7 @@ impl Master {
             settings: MoveSettings::default(),
             timed: true,
             look: Look::default(),
+            time: TimeBase::CLOCK,
             group: 0,
             ahead: Ahead::default(),
             settling: false,
@@ -103,6 +107,17 @@ impl Master {
             slots: [None; SLOTS],
             statistics: MasterStatistics::default(),
         }
+    }
+
+    /// Velocity along the path, u/s, in the time of the controller.
+    pub(crate) fn vector_velocity(&self) -> f64 {
+        self.profiler.vector_velocity() * self.time.rate
+    }
+
+    /// Velocity (u/s) and acceleration (u/s^2) of a slot, in the time of the controller.
+    pub(crate) fn motion(&self, slot: usize) -> (f64, f64) {
+        let rate = self.time.rate;
+        (self.profiler.velocity(slot) * rate, self.profiler.acceleration(slot) * (rate * rate))
     }
 
     /// What the next move is made with.

@@ -49,7 +49,7 @@ fn new_trajectory(context: &mut Context, call: &Call) -> Result<Outcome, Control
     let master = context.movable(call)?;
     let next = context.statement(call, call.arguments)?;
     let machine = &mut *context.machine;
-    machine.take_rotary_lengths(master)?;
+    machine.prepare_master(master)?;
     machine.masters[master].ahead.forget();
     machine.masters[master].profiler.replace(&next).map_err(|error| refused(call.command, error))?;
     machine.begin_moves(master);

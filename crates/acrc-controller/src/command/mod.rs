@@ -22,6 +22,7 @@ mod reports;
 mod settings;
 mod stored;
 mod system;
+mod timebase;
 mod typed;
 
 use std::sync::LazyLock;
@@ -41,6 +42,7 @@ use crate::request::{Origin, Query, Request};
 use crate::terminal::ChannelId;
 
 pub(crate) use io::deliver;
+pub(crate) use timebase::TimeBase;
 
 /// What a command handler works on.
 pub(crate) struct Context<'a> {
@@ -102,6 +104,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         settings::COMMANDS,
         stored::COMMANDS,
         system::COMMANDS,
+        timebase::COMMANDS,
     ];
     let mut table = vec![None; 1024];
     for (command, action) in tables.into_iter().flatten() {

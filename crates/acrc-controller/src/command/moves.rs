@@ -11,6 +11,7 @@ use super::arcs;
 use super::arguments::real;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::machine::Machine;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::AXIS_MOVE, Action::Run(coordinated)),
@@ -37,6 +38,16 @@ fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     }
     let mut next = context.statement(call, call.arguments)?;
     if context.pair(master, &mut next)? { context.queue(call, master, &next) } else { Ok(Outcome::Done) }
+}
+
+impl Machine {
+    /// Makes a master ready for a move.
+    pub(super) fn prepare_master(&mut self, master: usize) -> Result<(), ControllerError> {
+        if !self.moves(master) {
+            self.begin_time(master);
+        }
+        self.take_rotary_lengths(master)
+    }
 }
 
 impl Context<'_> {
@@ -125,7 +136,7 @@ impl Context<'_> {
 
     /// Queues a move, or asks to be offered it again where there is no room yet.
     pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
-        self.machine.take_rotary_lengths(master)?;
+        self.machine.prepare_master(master)?;
         let state = &mut self.machine.masters[master];
         let next = state.ahead.gate.map_or(*next, |gate| next.gated(gate.code()));
         match state.profiler.push(&next) {

@@ -42,7 +42,7 @@ fn rotary(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
 
 impl Machine {
     /// Tells the profiler of a master which of its axes are rotary.
-    pub(crate) fn take_rotary_lengths(&mut self, master: usize) -> Result<(), ControllerError> {
+    pub(super) fn take_rotary_lengths(&mut self, master: usize) -> Result<(), ControllerError> {
         for slot in 0..SLOTS {
             let Some(axis) = self.masters[master].slots[slot] else { continue };
             let length = self.rotary_length(axis)?;

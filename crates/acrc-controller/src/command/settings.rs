@@ -10,7 +10,7 @@ use crate::settings::{Item, most_objects};
 
 /// Settings that change the path, the velocity or the time of coordinated moves in ways that the dry run does not follow. They are refused, since a run
 /// that left them out would show another motion.
-const SHAPING: [CommandId; 3] = [command::MAXVEL, command::SRC, command::TOV];
+const SHAPING: [CommandId; 1] = [command::MAXVEL];
 
 /// Settings that act by themselves on the controller unless they are 0, and what the run says of them.
 const ACTING: [(CommandId, &str); 1] = [(command::ENC_ROTARY, "was set: the dry run does not fold encoder positions")];
@@ -106,7 +106,7 @@ impl Context<'_> {
     }
 }
 
-fn argument_items(command: &'static str, argument: &Arg) -> Result<Vec<Item>, ControllerError> {
+pub(super) fn argument_items(command: &'static str, argument: &Arg) -> Result<Vec<Item>, ControllerError> {
     Ok(match argument {
         Arg::Value(value, _) => vec![Item::Number(value.clone())],
         Arg::Tuple(values) => values.iter().cloned().map(Item::Number).collect(),
@@ -134,7 +134,7 @@ fn value_items(value: &ArgValue) -> Vec<Item> {
 }
 
 /// A source as it is written.
-fn source_name(source: Source) -> String {
+pub(super) fn source_name(source: Source) -> String {
     let glued = |word: &str, index: Option<u16>| index.map_or(word.to_owned(), |index| format!("{word}{index}"));
     match source {
         Source::Object(kind, index) => glued(kind.name(), index),

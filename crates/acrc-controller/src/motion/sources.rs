@@ -5,7 +5,7 @@
 use acrc_catalog::{CommandId, Keyword, ObjectKind, command};
 use acrc_motion::axis::SourceCounts;
 use acrc_motion::source::{Ratchet, RateLimiter};
-use acrc_vm::{Reference, Source, Value};
+use acrc_vm::{Reference, Source};
 
 use crate::machine::Machine;
 use crate::settings::{Item, most_objects};
@@ -128,18 +128,10 @@ impl Machine {
         let value = match feed {
             Feed::None | Feed::Ratchet(_) | Feed::Limiter(_) => return 0.0,
             Feed::Clock => return self.clock.ticks() as f64,
-            Feed::Encoder(encoder) => return f64::from(self.encoder_count(encoder)),
+            Feed::Encoder(encoder) => return f64::from(self.encoder_count(encoder).unwrap_or(0)),
             Feed::Parameter(number) => self.read_parameter(number),
         };
         value.ok().and_then(|value| value.to_f64().ok()).filter(|value| value.is_finite()).unwrap_or(0.0)
-    }
-
-    fn encoder_count(&self, encoder: u8) -> i32 {
-        let number = acrc_catalog::law::ENCODER_POSITION.get(u32::from(encoder));
-        match number.map(|number| self.read_parameter(i64::from(number))) {
-            Some(Ok(Value::Long(count))) => count,
-            _ => 0,
-        }
     }
 
     /// What a feed has counted since it was last asked. Encoders wrap at 32 bits.

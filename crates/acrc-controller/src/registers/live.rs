@@ -45,7 +45,7 @@ pub(crate) enum Live {
     HealthPeriod,
 }
 
-const LIVE: [(Law, Live); 17] = [
+const LIVE: [(Law, Live); 18] = [
     (law::CURRENT_POSITION, Live::Coordinated),
     (law::ACTUAL_POSITION, Live::Actual),
     (law::PRIMARY_SETPOINT, Live::PrimarySetpoint),
@@ -61,6 +61,7 @@ const LIVE: [(Law, Live); 17] = [
     (law::PPU, Live::PulsesPerUnit),
     (law::ENCODER_POSITION, Live::Encoder),
     (law::VECTOR_VELOCITY, Live::VectorVelocity),
+    (law::MASTER_SPEED, Live::VectorVelocity),
     (law::CLOCK_MS, Live::Clock),
     (law::HEALTH_PERIOD, Live::HealthPeriod),
 ];
@@ -99,13 +100,8 @@ impl Machine {
             Live::Target => Value::Long(axis?.pulses(self.target(object))),
             Live::FollowingError => Value::Long(axis?.pulses(self.registers_of(object).following_error())),
             Live::PulsesPerUnit => Value::Single(axis?.pulses_per_unit as f32),
-            Live::Encoder => {
-                let offset = *self.encoder_offsets.get(usize::from(object))?;
-                Value::Long(axis?.pulses(self.registers_of(object).actual).wrapping_add(offset))
-            }
-            Live::VectorVelocity => {
-                Value::Single(self.masters.get(usize::from(object))?.profiler.vector_velocity() as f32)
-            }
+            Live::Encoder => Value::Long(self.encoder_count(object)?),
+            Live::VectorVelocity => Value::Single(self.masters.get(usize::from(object))?.vector_velocity() as f32),
             Live::Clock => Value::Long(self.clock_milliseconds()),
             Live::HealthPeriod => {
                 let cycle = self.registers.number(law::CYCLIC_PERIOD.at(0)) as i32;
@@ -157,6 +153,12 @@ impl Machine {
             | Live::HealthPeriod => {}
         }
         Ok(true)
+    }
+
+    /// The count of an encoder. `None` when the model has no such object.
+    pub(crate) fn encoder_count(&self, encoder: u8) -> Option<i32> {
+        let offset = *self.encoder_offsets.get(usize::from(encoder))?;
+        Some(self.axes.get(usize::from(encoder))?.pulses(self.registers_of(encoder).actual).wrapping_add(offset))
     }
 
     /// Gives an encoder's register another count without moving its axis.

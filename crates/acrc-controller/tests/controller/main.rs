@@ -24,4 +24,5 @@ mod setup;
 mod stepping;
 mod support;
 mod time;
+mod timebase;
 mod world;
