@@ -1,8 +1,8 @@
 //! One master: a coordinated-move profiler with its settings and slave slots (guide, "Master/Slave Attachments").
 
-use acrc_motion::{Lookahead, Master as Profiler, MoveSettings, SettingError};
+use acrc_motion::{Lookahead, Master as Profiler, Move, MoveSettings, SettingError};
 
-use crate::command::TimeBase;
+use crate::command::{CUBIC, Curve, TimeBase};
 use crate::coordination::{Condition, Redirection};
 
 /// Slave slots of a master.
@@ -24,6 +24,8 @@ pub(crate) struct Master {
     pub(crate) time: TimeBase,
     /// The masters with which it begins its moves, itself among them, as bits (`SYNC`); none is zero.
     pub(crate) group: u32,
+    /// `NURB RANK`
+    pub(crate) rank: usize,
     /// What statements have said of moves to come.
     pub(crate) ahead: Ahead,
     /// A move has just ended; whether its velocity dropped is known in the next tick.
@@ -57,6 +59,8 @@ impl Default for Look {
 pub(crate) struct Ahead {
     /// What the next move waits for (`TRG`).
     pub(crate) gate: Option<Condition>,
+    /// The curve whose points are being given (`SPLINE`, `NURB`).
+    pub(crate) curve: Option<Box<Curve>>,
     /// What redirects the last move (`HSINT`).
     pub(crate) redirection: Option<Redirection>,
     /// The axes whose moves make arcs in pairs (`TARC ON`).
@@ -75,6 +79,7 @@ impl Ahead {
     /// Drops what a move that never comes would have been made of.
     pub(crate) fn forget(&mut self) {
         self.gate = None;
+        self.curve = None;
         self.redirection = None;
         if let Some(arc) = &mut self.arc {
             arc.via = None;
@@ -100,6 +105,7 @@ impl Master {
             look: Look::default(),
             time: TimeBase::CLOCK,
             group: 0,
+            rank: CUBIC,
             ahead: Ahead::default(),
             settling: false,
             vector: 0.0,
@@ -124,6 +130,11 @@ impl Master {
     pub(crate) fn move_settings(&self) -> MoveSettings {
         let time = if self.timed { self.settings.time } else { 0.0 };
         MoveSettings { time, ..self.settings }
+    }
+
+    /// A move with the gate of `TRG`.
+    pub(crate) fn gated(&self, next: &Move) -> Move {
+        self.ahead.gate.map_or(*next, |gate| next.gated(gate.code()))
     }
 
     /// Forgets what was said of the axis that had a slot before.

@@ -7,6 +7,7 @@ mod arguments;
 mod attach;
 mod axis;
 mod channel;
+mod curves;
 mod follow;
 mod interrupts;
 mod io;
@@ -41,6 +42,7 @@ use crate::program::Alarm;
 use crate::request::{Origin, Query, Request};
 use crate::terminal::ChannelId;
 
+pub(crate) use curves::{CUBIC, Curve};
 pub(crate) use io::deliver;
 pub(crate) use timebase::TimeBase;
 
@@ -89,6 +91,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         attach::COMMANDS,
         axis::COMMANDS,
         channel::COMMANDS,
+        curves::COMMANDS,
         follow::COMMANDS,
         interrupts::COMMANDS,
         io::COMMANDS,

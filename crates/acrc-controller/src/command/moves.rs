@@ -9,7 +9,7 @@ use acrc_vm::{Arg, ArgValue, Call, Outcome};
 
 use super::arcs;
 use super::arguments::real;
-use super::{Action, Context, Entry};
+use super::{Action, Context, Entry, curves};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 
@@ -33,6 +33,9 @@ pub(super) struct Bent {
 /// A statement of moves: queued when there is room, offered again when there is none.
 fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let master = context.movable(call)?;
+    if context.machine.masters[master].ahead.curve.is_some() {
+        return context.point(call, master);
+    }
     if !context.machine.masters[master].profiler.can_accept() {
         return Ok(Outcome::Again);
     }
@@ -89,29 +92,37 @@ impl Context<'_> {
                 kind = *other;
                 continue;
             }
-            let (slot, slash, value) = self.axis_of_move(kind, program, argument)?;
-            match value {
-                ArgValue::Value(value) => {
-                    let value = real(kind.info().name, value)?;
-                    let target = if slash { Target::Relative(value) } else { Target::Absolute(value) };
-                    to(&mut next, kind, slot, target)?;
-                }
-                ArgValue::Tuple(values) if !slash => {
-                    let values = values.iter().map(|value| real(kind.info().name, value)).collect::<Result<_, _>>()?;
-                    bent.push(Bent { slot, values });
-                }
-                _ => {
-                    let expected = "a target behind each axis, relative ones for straight moves only";
-                    return Err(ControllerError::Expected { command: kind.info().name, expected });
-                }
+            if let Arg::Axis { slash: false, value: ArgValue::Tuple(values), .. } = argument {
+                let (slot, ..) = self.axis_of_move(kind, program, argument)?;
+                let values = values.iter().map(|value| real(kind.info().name, value)).collect::<Result<_, _>>()?;
+                bent.push(Bent { slot, values });
+            } else {
+                let (slot, target) = self.straight_target(kind, program, argument)?;
+                to(&mut next, kind, slot, target)?;
             }
         }
         part(&mut next, kind, &bent)?;
         Ok(next)
     }
 
+    /// Slot and target of an axis that goes straight.
+    pub(super) fn straight_target(
+        &self,
+        kind: CommandId,
+        program: u8,
+        argument: &Arg,
+    ) -> Result<(usize, Target), ControllerError> {
+        let (slot, slash, value) = self.axis_of_move(kind, program, argument)?;
+        let ArgValue::Value(value) = value else {
+            let expected = "a target behind each axis, relative ones for straight moves only";
+            return Err(ControllerError::Expected { command: kind.info().name, expected });
+        };
+        let value = real(kind.info().name, value)?;
+        Ok((slot, if slash { Target::Relative(value) } else { Target::Absolute(value) }))
+    }
+
     /// Slot, slash and value of one axis of a move.
-    pub(super) fn axis_of_move<'c>(
+    fn axis_of_move<'c>(
         &self,
         kind: CommandId,
         program: u8,
@@ -136,9 +147,12 @@ impl Context<'_> {
 
     /// Queues a move, or asks to be offered it again where there is no room yet.
     pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
+        if self.machine.masters[master].ahead.curve.is_some() {
+            return Err(curves::open(call.command));
+        }
         self.machine.prepare_master(master)?;
         let state = &mut self.machine.masters[master];
-        let next = state.ahead.gate.map_or(*next, |gate| next.gated(gate.code()));
+        let next = state.gated(next);
         match state.profiler.push(&next) {
             Ok(()) => state.ahead.gate = None,
             Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(Outcome::Again),

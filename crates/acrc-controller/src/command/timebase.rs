@@ -40,9 +40,8 @@ fn source(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
         context.report_text(&name);
         return Ok(Outcome::Done);
     };
-    let source = match argument_items(command, argument)?[..] {
-        [Item::Source(source)] => source,
-        _ => return Err(ControllerError::Expected { command, expected: "a source" }),
+    let [Item::Source(source)] = argument_items(command, argument)?[..] else {
+        return Err(ControllerError::Expected { command, expected: "a source" });
     };
     // What cannot be read is said now, not in the middle of a move.
     let count = context.machine.source_count(source)?.unwrap_or(0);

@@ -4,6 +4,7 @@ mod arcs;
 mod attachments;
 mod bits;
 mod catalogue;
+mod curves;
 mod devices;
 mod extremes;
 mod follow;
