@@ -9,6 +9,8 @@ use crate::error::ControllerError;
 use crate::program::Alarm;
 
 pub(super) const COMMANDS: &[Entry] = &[
+    (command::SET, Action::Precise(set)),
+    (command::CLR, Action::Precise(set)),
     (command::INH, Action::Precise(inhibit)),
     (command::IHPOS, Action::Precise(inhibit_on_position)),
     (command::DWL, Action::Run(dwell)),
@@ -23,6 +25,17 @@ fn bit(call: &Call) -> Result<(i64, bool), ControllerError> {
         [Arg::Bit { index, negative }] => Ok((*index, *negative)),
         _ => Err(ControllerError::Expected { command: call.command.info().name, expected: "one flag" }),
     }
+}
+
+/// `SET` and `CLR` in the forms that the VM leaves to its host: flags whose number is computed from constants, and mistakes.
+fn set(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let (index, negative) = bit(call)?;
+    if negative {
+        let problem = "a flag has no sign here: SET switches it on, CLR switches it off".to_owned();
+        return Err(ControllerError::BadValue { command: call.command.info().name, problem });
+    }
+    context.write_flag(index, call.command == command::SET)?;
+    Ok(Outcome::Done)
 }
 
 /// `INH n` waits for a set flag, `INH -n` for a clear one.

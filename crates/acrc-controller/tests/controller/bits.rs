@@ -95,3 +95,15 @@ fn a_kill_reaches_every_axis_of_the_master_and_stays() {
     let recovered = "SET 8467\nCLR 8467\nCLR 8499\nCLR 522\nX1\nINH -516\nPRINT P12288";
     assert_eq!(Sim::program(recovered).prints(), ["1"]);
 }
+
+#[test]
+fn set_and_clr_take_every_form_of_a_flag() {
+    let body = "CLEAR\nDIM LV(1)\nLV0 = 33\nSET BIT(32 + 0)\nSET (LV0)\nSET (32 + 2)\nSET BIT(LV0 + 2)\nPRINT P4097\n\
+                CLR (30 + 2)\nCLR BIT(LV0)\nCLR BIT(34 + 0) CLR 35\nPRINT P4097";
+    assert_eq!(Sim::program(body).prints(), ["15", "0"]);
+    for statement in ["SET -3", "CLR (-33)"] {
+        let faults = Sim::program(statement).faults();
+        assert!(faults.len() == 1 && faults[0].contains("a flag has no sign here"), "{statement}: {faults:?}");
+    }
+    assert!(Sim::program("SET (65535 + 1)").faults()[0].ends_with("is no flag of this controller"));
+}
