@@ -38,6 +38,9 @@ impl Store {
     /// When the folder cannot be used, another process has it, or it holds anything else.
     pub fn open(folder: &Path) -> Result<Self, StoreError> {
         let mut files = Disk;
+        if folder.is_file() {
+            return Err(at(folder)(io::ErrorKind::NotADirectory.into()));
+        }
         files.create_folder(folder).map_err(at(folder))?;
         // Nothing is put into the folder of something else, not even the lock.
         contents(&mut files, folder)?;

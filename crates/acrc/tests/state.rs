@@ -34,7 +34,7 @@ fn a_controller_goes_on_where_it_was_switched_off() {
     model                  ACR9000
     battery-backed memory  PROG0; 4 user parameters, 0 aliases; 4128 bytes given out
     retained parameters    0
-    system parameters      saved; 1 masters and 1 axes attached, 0 settings
+    system parameters      saved; 1 master and 1 axis attached, 0 settings
     image in flash memory  none
     ");
     assert_eq!(lines(&bench.sim("count.8K --state kept")), ["1\t4000"], "the download clears the memory");

@@ -40,18 +40,25 @@ fn memory(memory: &Memory) -> String {
     let bytes: u64 = memory.blocks.iter().map(|(_, bytes)| u64::from(*bytes)).sum();
     let programs: Vec<String> = memory.programs.iter().map(|unit| unit.name.to_string()).collect();
     let programs = if programs.is_empty() { "no program".to_owned() } else { programs.join(" ") };
-    let (aliases, user) = (memory.aliases.len(), memory.user.len());
-    format!("{programs}; {user} user parameters, {aliases} aliases; {bytes} bytes given out")
+    let user = counted(memory.user.len(), "user parameter", "user parameters");
+    let aliases = counted(memory.aliases.len(), "alias", "aliases");
+    format!("{programs}; {user}, {aliases}; {bytes} bytes given out")
 }
 
 fn parameters(saved: &SystemParameters) -> String {
     let axes: usize = saved.masters.iter().map(|master| master.slaves.len()).sum();
     let masters = saved.masters.iter().filter(|master| master.program.is_some()).count();
-    format!("saved; {masters} masters and {axes} axes attached, {} settings", saved.settings.len())
+    let masters = counted(masters, "master", "masters");
+    let axes = counted(axes, "axis", "axes");
+    format!("saved; {masters} and {axes} attached, {}", counted(saved.settings.len(), "setting", "settings"))
 }
 
 fn image(saved: &Saved) -> String {
     let Some(image) = &saved.image else { return "none".to_owned() };
     let state = if image.in_use { "loaded at power-up" } else { "not loaded at power-up" };
     format!("{state}; {}", memory(&image.memory))
+}
+
+fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }
