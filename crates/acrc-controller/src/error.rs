@@ -197,6 +197,11 @@ pub enum ControllerError {
         /// The device.
         device: i32,
     },
+    /// A typed statement reads what is typed.
+    #[error(
+        "#0 is this terminal, which takes commands: characters come from #1 to #3, once OPEN has given them a stream"
+    )]
+    OwnTerminal,
     /// `OPEN` of a device that has another stream.
     #[error("#{device} is open already, as {stream}: CLOSE #{device} comes first")]
     DeviceOpen {

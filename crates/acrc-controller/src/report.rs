@@ -24,6 +24,8 @@ pub struct FaultReport {
     pub statement: u32,
     /// What is wrong.
     pub message: String,
+    /// Whoever listens to the program at a terminal has been told.
+    pub heard: bool,
 }
 
 impl fmt::Display for FaultReport {

@@ -144,3 +144,20 @@ fn the_example_machine_answers() {
         "PROG0\r\nP00>ATTACH\r\nATTACH MASTER0\r\nATTACH SLAVE0 AXIS0 \"X\"\r\nATTACH SLAVE1 AXIS1 \"Y\"\r\nP00>"
     );
 }
+
+#[test]
+fn a_mistake_is_told_once() {
+    let bench = Bench::new();
+    let output = bench.feed(&["repl"], b"PROG0\rPROGRAM\rNEXT\rENDP\rLRUN\r");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("NEXT without FOR [line 10]"));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let output = bench.feed(&["repl"], b"PROG0\rPROGRAM\rNEXT\rENDP\rRUN\r");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("NEXT without FOR"));
+}
+
+#[test]
+fn what_goes_out_at_another_stream_is_told() {
+    let bench = Bench::new();
+    let output = bench.feed(&["repl"], b"OPEN \"COM2:\" AS #1\rPRINT #1, \"ready\"\r");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "note: COM2: ready\n");
+}

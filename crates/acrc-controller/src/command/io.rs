@@ -188,7 +188,10 @@ impl Context<'_> {
     /// Whoever listens to the program hands over what was typed: what no program asks for stays a line for the terminal.
     pub(crate) fn input_port(&mut self, number: i32) -> Result<Port, ControllerError> {
         let port = Device::of(number, self.program).and_then(|device| self.machine.streams.port(device));
-        let port = port.filter(|port| !(self.immediate && matches!(port, Port::Listener(_))));
+        let of_a_program = port.is_some_and(|port| !(self.immediate && matches!(port, Port::Listener(_))));
+        if number == 0 && self.immediate && !of_a_program {
+            return Err(ControllerError::OwnTerminal);
+        }
         let port = port.ok_or(ControllerError::NotOpen { device: number })?;
         if let Port::Listener(program) = port {
             while self.machine.streams.lacks_line(port) {

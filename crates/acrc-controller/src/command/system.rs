@@ -59,11 +59,12 @@ fn level(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
     if !context.immediate {
         return Err(ControllerError::WrongLevel { command: name, level: "program".to_owned() });
     }
-    let index = scalar(call)?.unwrap_or(-1.0) as i64;
+    let index = scalar(call)?.map(|index| index as i64);
+    let number = || index.ok_or(ControllerError::Expected { command: name, expected: "a number" });
     let model = context.machine.model;
     context.machine.level = match call.command {
-        command::PROG => Level::Program(Machine::object("PROG", index, model.programs)?),
-        command::PLC => Level::Plc(Machine::object("PLC", index, model.plcs)?),
+        command::PROG => Level::Program(Machine::object("PROG", number()?, model.programs)?),
+        command::PLC => Level::Plc(Machine::object("PLC", number()?, model.plcs)?),
         _ => Level::System,
     };
     Ok(Outcome::Done)

@@ -160,9 +160,7 @@ impl Controller {
         self.faulted = true;
         self.program_mut(task).stop(State::Fault);
         for flaw in flaws {
-            if let Task::Program(number) = task {
-                self.machine.terminal.tell_listeners(number, fault_line(&flaw.text, flaw.number).as_bytes());
-            }
+            let heard = self.tell_flaw(task, &flaw.text, flaw.number);
             observer.fault(&FaultReport {
                 seconds: self.machine.clock.seconds(),
                 unit: task.unit(),
@@ -170,18 +168,24 @@ impl Controller {
                 line: flaw.number,
                 statement: 1,
                 message: flaw.text.clone(),
+                heard,
             });
         }
     }
 
-    /// Tells those who listen to a program of its run-time error.
-    pub(super) fn tell_fault(&mut self, task: Task, location: Location, message: &str) {
-        if let Task::Program(number) = task
-            && self.machine.terminal.channels().any(|channel| channel.listening == Some(number))
-        {
-            let line = fault_line(message, self.line_number(task, location));
-            self.machine.terminal.tell_listeners(number, line.as_bytes());
+    /// Tells those who listen to a program of its run-time error. False when nobody does.
+    pub(super) fn tell_fault(&mut self, task: Task, location: Location, message: &str) -> bool {
+        self.tell_flaw(task, message, self.line_number(task, location))
+    }
+
+    fn tell_flaw(&mut self, task: Task, message: &str, line: Option<u32>) -> bool {
+        let Task::Program(number) = task else { return false };
+        let terminal = &mut self.machine.terminal;
+        let heard = terminal.channels().any(|channel| channel.listening == Some(number));
+        if heard {
+            terminal.tell_listeners(number, fault_line(message, line).as_bytes());
         }
+        heard
     }
 
     /// The number, written or hidden, of a line of a program.

@@ -95,7 +95,7 @@ pub(crate) struct Boot {
     locals: Locals,
     release: Option<u64>,
     alarm: Alarm,
-    done: bool,
+    pub(crate) done: bool,
     waiting: bool,
     /// The count of changes when it last found that it must wait.
     waited_at: u64,
@@ -152,6 +152,7 @@ impl Controller {
             line: Some(location.source_line()),
             statement: location.statement,
             message,
+            heard: false,
         }
     }
 }

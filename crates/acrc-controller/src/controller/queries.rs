@@ -54,7 +54,9 @@ impl Controller {
     fn free_memory(&self, level: Level) -> u64 {
         let Some(task) = Task::at(level) else { return u64::from(self.machine.memory.free()) };
         let program = self.program(task);
-        let used = program.text_bytes + program.locals.used() + program.frame.memory();
+        // A program that has ended within a subroutine has none open any more.
+        let calls = if program.is_going() { program.frame.memory() } else { 0 };
+        let used = program.text_bytes + program.locals.used() + calls;
         self.machine.space(task).saturating_sub(used)
     }
 }

@@ -191,9 +191,9 @@ impl Controller {
         let fault = if let Stop::Fault(fault) = run.stop { Some((code.location(fault.pc), fault)) } else { None };
         self.conclude(task, footprint);
         if let Some((location, fault)) = fault {
-            let report = self.fault_report(task.unit(), location, fault.to_string());
+            let mut report = self.fault_report(task.unit(), location, fault.to_string());
             self.faulted = true;
-            self.tell_fault(task, location, &report.message);
+            report.heard = self.tell_fault(task, location, &report.message);
             observer.fault(&report);
         }
         self.apply_requests(observer);

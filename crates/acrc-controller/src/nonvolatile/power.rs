@@ -295,6 +295,10 @@ impl Controller {
         }
         self.machine.config.clone_from(&memory.hardware);
         self.machine.password.clone_from(&memory.password);
+        if self.boot.done {
+            // Setup code does not execute its `#DEFINE`: its names hold as long as it runs.
+            self.aliases.clear();
+        }
         let places = self.merge_aliases(&memory.aliases)?;
         for unit in &memory.programs {
             let unit = unit.renumber_aliases(&places)?;
@@ -337,6 +341,7 @@ impl Controller {
                 line: None,
                 statement: 1,
                 message,
+                heard: false,
             });
         }
     }

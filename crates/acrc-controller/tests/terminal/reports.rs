@@ -124,3 +124,23 @@ fn help_lists_the_commands_of_the_prompt() {
     desk.send("PROG0\r");
     assert!(desk.ask("HELP").contains("GOSUB"));
 }
+
+#[test]
+fn a_program_that_has_ended_has_no_subroutine_open() {
+    let mut desk = Desk::new();
+    desk.send("PROG0\rPROGRAM\rGOSUB S\r_S\rEND\rENDP\r");
+    let free = desk.ask("MEM");
+    desk.send("RUN\r");
+    desk.wait(0.1);
+    assert_eq!(desk.ask("MEM"), free);
+}
+
+#[test]
+fn aliases_are_lost_with_the_memory_they_were_in() {
+    let mut desk = Desk::new();
+    desk.send("DIM DEF(2)\r#DEFINE speed P38912\rREBOOT\r");
+    assert_eq!(desk.ask("DEF"), "#DEFINE speed P38912\r\n");
+    desk.send("BRESET\rREBOOT\r");
+    assert_eq!(desk.ask("DEF"), "");
+    assert_eq!(desk.ask("?speed"), "the name `speed` is not defined\r\n");
+}

@@ -115,3 +115,20 @@ fn aliases_need_room_and_are_forgotten_by_clear() {
     assert_eq!(desk.ask("CLEAR"), "");
     assert_eq!(desk.ask("? speed"), "the name `speed` is not defined\r\n");
 }
+
+#[test]
+fn a_prompt_needs_its_number() {
+    let mut desk = Desk::new();
+    assert_eq!(desk.ask("PROG"), "PROG expects a number\r\n");
+    assert_eq!(desk.ask("PLC"), "PLC expects a number\r\n");
+}
+
+#[test]
+fn what_is_typed_at_a_prompt_are_commands() {
+    let mut desk = Desk::new();
+    desk.send("PROG0\rDIM LV(1)\r");
+    for line in ["INPUT LV0", "?KBHIT(0)", "?INKEY$(0)"] {
+        let told = desk.ask(line);
+        assert!(told.starts_with("#0 is this terminal, which takes commands"), "{line}: {told}");
+    }
+}

@@ -121,20 +121,11 @@ impl Session {
 
     /// Tells what no channel shows: setup code has no terminal, and a program without a listener is silent.
     fn tell(&mut self) {
-        let listening = self.state() == PromptState::Listening;
         for note in std::mem::take(&mut self.notes.list) {
-            if !(listening && note.shown_to_listeners) {
-                // Standard error may be gone; the session goes on.
-                crate::exit::note(&note.text, self.terminal);
-            }
+            // Standard error may be gone; the session goes on.
+            crate::exit::note(&note, self.terminal);
         }
     }
-}
-
-/// Something that the run tells.
-struct Note {
-    text: String,
-    shown_to_listeners: bool,
 }
 
 /// What the run has told.
@@ -145,32 +136,35 @@ struct Notes {
     state: Option<State>,
     /// Why something could not be saved.
     failure: Option<anyhow::Error>,
-    list: Vec<Note>,
+    list: Vec<String>,
 }
 
 impl Observer for Notes {
     fn output(&mut self, sent: &Sent) {
-        let unit = if sent.unit == UnitName::Boot { "setup".to_owned() } else { sent.unit.to_string() };
         let source = match (sent.unit, sent.stream) {
             (_, Some(stream)) if stream == self.stream => return,
             // What a program prints on device 0 is for those who listen to it.
             (UnitName::Program(_), None) => return,
-            (_, None) => unit,
-            (_, Some(stream)) => format!("{unit} {stream}"),
+            (UnitName::Boot, None) => "setup".to_owned(),
+            // Setup code, or somebody at a terminal.
+            (UnitName::Boot, Some(stream)) => stream.to_string(),
+            (unit, None) => unit.to_string(),
+            (unit, Some(stream)) => format!("{unit} {stream}"),
         };
         let text = sent.text.trim_end_matches(['\r', '\n']).escape_debug();
-        self.list.push(Note { text: format!("{source}: {text}"), shown_to_listeners: false });
+        self.list.push(format!("{source}: {text}"));
     }
 
     fn fault(&mut self, fault: &FaultReport) {
-        self.list
-            .push(Note { text: fault.to_string(), shown_to_listeners: matches!(fault.unit, UnitName::Program(_)) });
+        if !fault.heard {
+            self.list.push(fault.to_string());
+        }
     }
 
     fn saved(&mut self, saved: &Saved) {
         let result = self.state.as_mut().map_or(Ok(()), |state| state.save(saved));
         if let Err(error) = result {
-            self.list.push(Note { text: format!("{error:#}"), shown_to_listeners: false });
+            self.list.push(format!("{error:#}"));
             self.failure.get_or_insert(error);
         }
     }
