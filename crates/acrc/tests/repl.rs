@@ -161,3 +161,11 @@ fn what_goes_out_at_another_stream_is_told() {
     let output = bench.feed(&["repl"], b"OPEN \"COM2:\" AS #1\rPRINT #1, \"ready\"\r");
     assert_eq!(String::from_utf8_lossy(&output.stderr), "note: COM2: ready\n");
 }
+
+#[test]
+fn a_short_program_ends_before_what_is_typed_behind_it() {
+    let bench = Bench::new();
+    let typed = "PROG0\rPROGRAM\rPRINT \"one\"\rPRINT \"two\"\rENDP\rLRUN\r?3\r\x1b?4\r";
+    let answer = talk(&bench, &[], typed);
+    assert!(answer.ends_with("P00>LRUN\r\none\r\ntwo\r\nP00>?3\r\n3\r\nP00>?4\r\n4\r\nP00>"), "{answer}");
+}

@@ -85,13 +85,16 @@ impl Terminal {
         self.channels.keys().copied().collect()
     }
 
-    /// The controller restarts: every channel is at the system level, and nobody listens or enters a program.
+    /// The controller restarts: every channel is at the system level, nobody listens or enters a program, and what waited is given up.
     pub(crate) fn restart(&mut self) {
         for channel in self.channels.values_mut() {
             channel.level = acrc_syntax::units::Level::System;
             channel.entry = None;
-            channel.listening = None;
-            channel.talking = None;
+            // The line that restarts the controller is in execution, so it is not among those that wait.
+            let waited = channel.typed.take().is_some();
+            if waited || channel.is_away() {
+                channel.stop_listening();
+            }
         }
     }
 

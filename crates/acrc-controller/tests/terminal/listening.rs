@@ -141,3 +141,14 @@ fn talk_to_connects_two_streams_until_esc() {
     let answer: String = desk.controller.take_output(near).into_iter().map(char::from).collect();
     assert!(answer.contains("COM1 is open already, as #1"), "{answer}");
 }
+
+#[test]
+fn a_restart_brings_the_prompt_back() {
+    let mut desk = Desk::with("PROG0\nPROGRAM\nDWL 0.1\nREBOOT\nENDP\n");
+    desk.send("LRUN PROG0\r");
+    assert_eq!(desk.wait(0.2), "SYS>");
+    desk.send("PROG0\rRUN\r");
+    // What a statement waits for is gone as well.
+    assert_eq!(desk.send("DWL 5 : ?1\r"), "DWL 5 : ?1\r\nSYS>");
+    assert_eq!(desk.ask("?2"), "2\r\n");
+}

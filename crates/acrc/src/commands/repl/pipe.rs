@@ -77,12 +77,13 @@ fn type_byte(session: &mut Session, line: &mut Vec<u8>, byte: u8, linger: f64) -
     show(session)
 }
 
-/// Gives the controller the time that it needs to take a line; one that waits is waited for at the end.
+/// Gives the controller the time that it needs to take a line; one that waits is waited for at the end. A program that is listened to gets as
+/// much, so that what is typed behind a short one is typed at the prompt.
 fn answer(session: &mut Session) {
     /// Ticks in which a statement that does not wait is answered.
     const PROMPTLY: u32 = 200;
     for _ in 0..PROMPTLY {
-        if session.state() != PromptState::Busy {
+        if matches!(session.state(), PromptState::Ready(_)) {
             break;
         }
         session.step();
