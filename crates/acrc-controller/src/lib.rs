@@ -39,7 +39,7 @@ pub mod world;
 
 pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
-pub use controller::{Controller, Observer, Options, Sent, Stopped, Unsupported, View};
+pub use controller::{Controller, Observer, Options, Sent, Standing, Stopped, Unsupported, View};
 pub use error::ControllerError;
 pub use master::MasterStatistics;
 pub use program::State;

@@ -28,7 +28,7 @@ pub(crate) use check::boots;
 pub use observer::{Observer, Sent};
 pub(crate) use requests::Refusal;
 pub use run::Stopped;
-pub use view::View;
+pub use view::{Standing, View};
 
 use crate::aliases::Aliases;
 use crate::footprint::Changes;

@@ -20,7 +20,7 @@ impl Controller {
 
     /// A look at the controller now.
     pub fn view(&self) -> View<'_> {
-        View { machine: &self.machine }
+        View { machine: &self.machine, programs: &self.programs, plcs: &self.plcs }
     }
 
     /// What the run left out or relied on without proof.

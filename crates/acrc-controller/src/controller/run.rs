@@ -2,7 +2,7 @@
 
 use acrc_vm::{Locals, Reference};
 
-use super::{Controller, Observer, View};
+use super::{Controller, Observer};
 use crate::motion::{ArrayPlace, Arrays};
 use crate::plc::Plc;
 use crate::program::{NEVER, Program};
@@ -162,7 +162,7 @@ impl Controller {
         let new = applied > self.reported_events;
         let first = std::mem::replace(&mut self.reported_events, applied);
         for event in &self.machine.world().events()[first..applied] {
-            observer.event(self.machine.clock.seconds(), event, &View { machine: &self.machine });
+            observer.event(self.machine.clock.seconds(), event, &self.view());
         }
         self.type_events(first..applied);
         new

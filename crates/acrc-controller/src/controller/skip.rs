@@ -2,7 +2,7 @@
 
 use super::ahead::LINES_PER_SLICE;
 use super::scan::LINES_PER_SCAN;
-use super::{Controller, Observer, Pace, View};
+use super::{Controller, Observer, Pace};
 use crate::program::State;
 use crate::task::Task;
 use crate::terminal::Demand;
@@ -63,7 +63,7 @@ impl Controller {
         }
         for _ in now..tick {
             self.machine.skip(1);
-            observer.tick(&View { machine: &self.machine });
+            observer.tick(&self.view());
         }
     }
 

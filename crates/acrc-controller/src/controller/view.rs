@@ -1,11 +1,32 @@
 //! A look at the controller between two ticks.
 
+use acrc_image::UnitName;
+
 use crate::machine::Machine;
+use crate::plc::Plc;
+use crate::program::{Program, State};
 use crate::world::World;
 
 /// A look at the controller between two ticks.
 pub struct View<'a> {
     pub(super) machine: &'a Machine,
+    pub(super) programs: &'a [Program],
+    pub(super) plcs: &'a [Plc],
+}
+
+/// Where a program stands: at the statement that waits, else at the one that comes next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Standing {
+    /// Which program it is.
+    pub unit: UnitName,
+    /// Where it is in its life.
+    pub state: State,
+    /// Index of the source file among the files of the image, when that is known.
+    pub file: Option<u32>,
+    /// Line of the file, else of the stored text; from 1.
+    pub line: u32,
+    /// Statement of the line, from 1.
+    pub statement: u32,
 }
 
 impl View<'_> {
@@ -42,6 +63,27 @@ impl View<'_> {
     /// Velocity (units/s) and acceleration (units/s^2) of an axis; 0 for an axis that the model does not have.
     pub fn motion(&self, axis: u8) -> (f64, f64) {
         if axis < self.machine.model.axes { self.machine.motion(axis) } else { (0.0, 0.0) }
+    }
+
+    /// The value of a parameter as a program would read it; `None` for one that does not exist, or not yet, or holds text.
+    pub fn parameter(&self, number: u32) -> Option<f64> {
+        self.machine.read_parameter(i64::from(number)).ok()?.to_f64().ok()
+    }
+
+    /// Where the programs and PLC programs stand that have text.
+    pub fn standings(&self) -> impl Iterator<Item = Standing> {
+        let programs = (0..).zip(self.programs).map(|(number, program)| (UnitName::Program(number), program));
+        let plcs = self.plcs.iter().map(|plc| (UnitName::Plc(plc.ladder.number()), &plc.program));
+        programs.chain(plcs).filter(|(_, program)| program.code.is_some()).map(|(unit, program)| {
+            let location = program.location();
+            Standing {
+                unit,
+                state: program.state,
+                file: location.source.map(|source| source.file),
+                line: location.source_line(),
+                statement: location.statement,
+            }
+        })
     }
 
     /// State of a flag; flags that do not exist are clear.
