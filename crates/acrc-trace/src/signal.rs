@@ -20,19 +20,27 @@ pub struct Signal {
     pub kind: Kind,
     /// The plot panel it is drawn in, as in `velocity`.
     pub group: String,
+    /// Where its values come from, as in `P12288 / P12375`; empty if nothing is to be said.
+    pub source: String,
 }
 
 impl Signal {
     /// A signal that takes any real number.
     #[must_use]
     pub fn continuous(name: impl Into<String>, unit: impl Into<String>, group: impl Into<String>) -> Self {
-        Self { name: name.into(), unit: unit.into(), kind: Kind::Continuous, group: group.into() }
+        Self { name: name.into(), unit: unit.into(), kind: Kind::Continuous, group: group.into(), source: String::new() }
     }
 
     /// A signal that is on or off.
     #[must_use]
     pub fn bit(name: impl Into<String>, group: impl Into<String>) -> Self {
-        Self { name: name.into(), unit: String::new(), kind: Kind::Bit, group: group.into() }
+        Self { name: name.into(), unit: String::new(), kind: Kind::Bit, group: group.into(), source: String::new() }
+    }
+
+    /// The same with the place where its values come from.
+    #[must_use]
+    pub fn with_source(self, source: impl Into<String>) -> Self {
+        Self { source: source.into(), ..self }
     }
 }
 

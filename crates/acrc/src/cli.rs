@@ -164,12 +164,17 @@ pub(crate) struct SimArguments {
     /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]
     #[arg(long, value_name = "TIME", value_parser = parse_time, allow_hyphen_values = true)]
     pub(crate) until: Option<f64>,
-    /// Write position, velocity and acceleration of every axis and the inputs and outputs used
+    /// Write the signals over time
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) trace: Option<PathBuf>,
-    /// Virtual time between two rows of the trace
-    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = parse_time, allow_hyphen_values = true)]
-    pub(crate) trace_every: f64,
+    /// What is recorded: P12288, BIT34, aliases, inputs of the world, X (an axis), X.position, AXIS0.jog_offset,
+    /// MASTER0.vector_velocity ...; `usual` adds to what is recorded without it: position, velocity, acceleration and
+    /// following error of every axis, and the inputs and outputs used
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub(crate) signals: Vec<String>,
+    /// Virtual time from one sample to the next, a multiple of the servo period [default: 1ms]
+    #[arg(long, alias = "trace-every", value_name = "TIME", value_parser = parse_time, allow_hyphen_values = true)]
+    pub(crate) rate: Option<f64>,
     /// Draw the run
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) plot: Option<PathBuf>,

@@ -114,7 +114,7 @@ fn wrong_arguments_end_with_status_two() {
         &["sim", "clean.8K", "--run", "PROG0", "--until", "soon"],
         &["sim", "clean.8K", "--run", "PROG0", "--read", "X5"],
         &["sim", "clean.8K", "--run", "PROG0", "--read", "BIT999999"],
-        &["sim", "clean.8K", "--run", "PROG0", "--trace-every", "0s"],
+        &["sim", "clean.8K", "--run", "PROG0", "--rate", "0s"],
         &["sim", "clean.8K", "--run", "PROG0", "--world", "gone.toml"],
         &["sim", "clean.8K", "--run", "PROG0", "--trace", "no/such/folder/t.csv"],
         &["build", "clean.8K"],

@@ -18,7 +18,7 @@ fn two_hundred_revolutions_take_twelve_seconds() {
     let bench = Bench::new();
     bench.file("move.8K", one_axis("MOV X200"));
     let report =
-        bench.sim("move.8K --run PROG0 --until 100s --trace t.csv --trace-every 0.5ms --read P12288,P12290,BIT516");
+        bench.sim("move.8K --run PROG0 --until 100s --trace t.csv --rate 0.5ms --read P12288,P12290,BIT516");
     assert_eq!(report["stopped"], "ended");
     assert_eq!(report["moves"][0]["motion_seconds"], 12.0);
     assert_eq!(report["axes"][0]["position"], 200.0);
@@ -39,7 +39,7 @@ fn axes_of_one_statement_start_and_stop_together() {
     let setup =
         "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\nACC 750 DEC 750 VEL 75 STP 750\n";
     bench.file("two.8K", format!("{setup}PROGRAM\nX25 Y15\nENDP\n"));
-    let report = bench.sim("two.8K --run PROG0 --trace t.csv --trace-every 0.5ms");
+    let report = bench.sim("two.8K --run PROG0 --trace t.csv --rate 0.5ms");
     let trace = Csv::read(&bench.path("t.csv"));
     let (x, y) = (trace.column("X.position"), trace.column("Y.position"));
     let moving = |values: &[f64], end: f64| {
@@ -87,7 +87,7 @@ fn what_is_unconfirmed_is_said_once() {
 fn the_last_row_of_a_trace_is_the_state_at_the_end() {
     let bench = Bench::new();
     bench.file("end.8K", one_axis("X1\nSET 34\nINH -516\nCLR 34"));
-    let report = bench.sim("end.8K --run PROG0 --trace t.csv --trace-every 30ms --read BIT34");
+    let report = bench.sim("end.8K --run PROG0 --trace t.csv --rate 30ms --read BIT34");
     let trace = Csv::read(&bench.path("t.csv"));
     let (time, position, output) = (trace.column("time_s"), trace.column("X.position"), trace.column("BIT34"));
     assert_eq!((output.first(), output.last(), &report["values"]["BIT34"]), (Some(&1.0), Some(&0.0), &json!(0)));
@@ -116,7 +116,7 @@ fn interpolated_moves_are_refused_before_the_run() {
 fn moves_without_stop_ramp_merge() {
     let bench = Bench::new();
     bench.file("blend.8K", one_axis("STP 0\nX20\nX60\nSTP 10\nX80"));
-    let report = bench.sim("blend.8K --run PROG0 --trace t.csv --trace-every 0.5ms");
+    let report = bench.sim("blend.8K --run PROG0 --trace t.csv --rate 0.5ms");
     // 2 s up to 20 over 20 units, 40 units at 20, 2 s down over 20 units.
     assert_eq!(report["moves"][0]["motion_seconds"], 6.0);
     assert_eq!(report["moves"][0]["moves"], 3);
@@ -141,7 +141,7 @@ fn a_move_that_nothing_follows_without_stop_ramp_is_noted() {
 fn jerk_limits_the_change_of_acceleration() {
     let bench = Bench::new();
     bench.file("jerk.8K", one_axis("JRK 20\nX200"));
-    let report = bench.sim("jerk.8K --run PROG0 --trace t.csv --trace-every 0.5ms");
+    let report = bench.sim("jerk.8K --run PROG0 --trace t.csv --rate 0.5ms");
     // Each ramp takes v/a + a/j.
     assert_eq!(report["moves"][0]["motion_seconds"], 12.5);
     let acceleration = Csv::read(&bench.path("t.csv")).column("X.acceleration");
@@ -254,7 +254,7 @@ fn an_hour_of_waiting_equals_stepping_through_it() {
     bench.file("wait.8K", one_axis("DWL 3600\nX20\nPRINT \"moved\"\nDWL 0.3"));
     bench.file("wait9.8K", "PROG9\nPROGRAM\nDWL 1.7\nPRINT \"nine\"\nENDP\n");
     // A trace looks at every tick, so nothing is jumped over.
-    let stepped = bench.sim("wait.8K --run PROG0 --until 2h --trace t.csv --trace-every 1s");
+    let stepped = bench.sim("wait.8K --run PROG0 --until 2h --trace t.csv --rate 1s");
     let jumped = bench.sim("wait.8K --run PROG0 --until 2h");
     assert_eq!(stepped, jumped);
     assert_eq!(jumped["stopped"], "ended");

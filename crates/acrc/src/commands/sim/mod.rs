@@ -3,6 +3,7 @@
 mod json;
 mod observer;
 mod ports;
+mod rate;
 mod recorder;
 mod signals;
 mod summary;
@@ -56,11 +57,11 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         None => of_state(arguments, state.as_ref())?,
     };
     let Setup { image, world, angles, mut start, plcs, until, title, mut notes } = setup;
-    let mut recorder = Recorder::new(arguments, &image, &world)?;
     let options = Options { world, seed: arguments.seed, angles, plcs, ..Options::default() };
     let kept = state.as_ref().and_then(|state| state.saved.as_ref());
     let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
         .with_context(|| State::cannot_power_up(state.as_ref()))?;
+    let mut recorder = recorder(arguments, &image, &controller)?;
     start.extend(kept_programs_to_start(arguments, &controller, &image)?);
     check_registers(&controller, &arguments.read)?;
     ports::check(arguments, &controller)?;
@@ -95,6 +96,16 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         SimFormat::Json => json::print(&report)?,
     }
     Ok(exit)
+}
+
+/// Records a run of a project, or of the programs that the controller has kept.
+fn recorder(arguments: &SimArguments, image: &Image, controller: &Controller) -> anyhow::Result<Recorder> {
+    let view = controller.view();
+    if arguments.stored {
+        Recorder::new(arguments, &controller.stored_programs(), view.world())
+    } else {
+        Recorder::new(arguments, image, view.world())
+    }
 }
 
 /// A project that is sent to the controller.

@@ -8,8 +8,9 @@ use acrc_image::Image;
 use acrc_trace::Trace;
 use acrc_trace::csv::CsvWriter;
 use acrc_trace::plot::{self, Event, PlotOptions};
-use anyhow::{Context as _, bail};
+use anyhow::Context as _;
 
+use super::rate::Rate;
 use super::signals::Signals;
 use crate::cli::SimArguments;
 use crate::output::{OutputFile, write_file};
@@ -22,9 +23,7 @@ pub(super) struct Recorder {
     signals: Signals,
     csv: Option<CsvFile>,
     plot: Option<Plot>,
-    every: f64,
-    /// Ticks between two samples; known from the first sample on.
-    stride: u64,
+    rate: Rate,
     /// Tick of the latest row.
     sampled: Option<u64>,
     row: Vec<f64>,
@@ -47,10 +46,7 @@ struct Plot {
 impl Recorder {
     /// Opens the files that were asked for.
     pub(super) fn new(arguments: &SimArguments, image: &Image, world: &World) -> anyhow::Result<Self> {
-        if arguments.trace_every <= 0.0 {
-            bail!("--trace-every: the time between two rows must be above 0");
-        }
-        let signals = Signals::new(image, world);
+        let signals = Signals::new(&arguments.signals, image, world)?;
         let csv = match &arguments.trace {
             Some(path) => {
                 let writer = CsvWriter::new(OutputFile::create(path)?, &signals.columns())
@@ -68,7 +64,7 @@ impl Recorder {
             }
             None => None,
         };
-        Ok(Self { signals, csv, plot, every: arguments.trace_every, stride: 0, sampled: None, row: Vec::new() })
+        Ok(Self { signals, csv, plot, rate: Rate::new(arguments.rate)?, sampled: None, row: Vec::new() })
     }
 
     /// Whether anything is recorded.
@@ -86,10 +82,7 @@ impl Recorder {
         if !self.is_active() {
             return Ok(());
         }
-        if self.stride == 0 {
-            self.stride = ((self.every / view.period()).round() as u64).max(1);
-        }
-        if view.ticks().is_multiple_of(self.stride) { self.sample(view) } else { Ok(()) }
+        if self.rate.is_due(view)? { self.sample(view) } else { Ok(()) }
     }
 
     fn sample(&mut self, view: &View) -> anyhow::Result<()> {
