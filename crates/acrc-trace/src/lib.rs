@@ -2,6 +2,7 @@
 //!
 //! - [`Trace`] holds the samples in memory, one column a signal;
 //! - [`csv`] writes them as plain CSV, also row by row while a run goes on;
+//! - [`parquet`] writes them as Parquet, in the same way;
 //! - [`plot`] draws them as one self-contained SVG picture.
 //!
 //! **Invariants.** The crate knows neither the controller nor the language: a signal is a name, a unit and numbers. It
@@ -9,6 +10,7 @@
 //! last digit depends on the platform's mathematics library.
 
 pub mod csv;
+pub mod parquet;
 pub mod plot;
 mod signal;
 mod trace;

@@ -28,7 +28,13 @@ impl Signal {
     /// A signal that takes any real number.
     #[must_use]
     pub fn continuous(name: impl Into<String>, unit: impl Into<String>, group: impl Into<String>) -> Self {
-        Self { name: name.into(), unit: unit.into(), kind: Kind::Continuous, group: group.into(), source: String::new() }
+        Self {
+            name: name.into(),
+            unit: unit.into(),
+            kind: Kind::Continuous,
+            group: group.into(),
+            source: String::new(),
+        }
     }
 
     /// A signal that is on or off.

@@ -23,7 +23,7 @@ fn rows_are_kept_by_column() {
 fn what_is_not_there_is_none() {
     let trace = two_signals();
     assert_eq!((trace.time(0), trace.value(0, 0), trace.value(0, 9)), (None, None, None));
-    assert_eq!(trace.column(9), []);
+    assert!(trace.column(9).is_empty());
     assert_eq!(trace.signal_index("x.position"), None);
 }
 

@@ -164,8 +164,8 @@ pub(crate) struct SimArguments {
     /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]
     #[arg(long, value_name = "TIME", value_parser = parse_time, allow_hyphen_values = true)]
     pub(crate) until: Option<f64>,
-    /// Write the signals over time
-    #[arg(long, value_name = "FILE.csv")]
+    /// Write the signals over time: as Parquet when the name ends in .parquet, else as CSV
+    #[arg(long, value_name = "FILE")]
     pub(crate) trace: Option<PathBuf>,
     /// What is recorded: P12288, BIT34, aliases, inputs of the world, X (an axis), X.position, AXIS0.jog_offset,
     /// MASTER0.vector_velocity ...; `usual` adds to what is recorded without it: position, velocity, acceleration and

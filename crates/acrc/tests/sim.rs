@@ -17,8 +17,7 @@ fn one_axis(body: &str) -> String {
 fn two_hundred_revolutions_take_twelve_seconds() {
     let bench = Bench::new();
     bench.file("move.8K", one_axis("MOV X200"));
-    let report =
-        bench.sim("move.8K --run PROG0 --until 100s --trace t.csv --rate 0.5ms --read P12288,P12290,BIT516");
+    let report = bench.sim("move.8K --run PROG0 --until 100s --trace t.csv --rate 0.5ms --read P12288,P12290,BIT516");
     assert_eq!(report["stopped"], "ended");
     assert_eq!(report["moves"][0]["motion_seconds"], 12.0);
     assert_eq!(report["axes"][0]["position"], 200.0);

@@ -116,3 +116,13 @@ fn the_rate_is_a_multiple_of_the_servo_period() {
     assert!(refused.stderr.contains(expected), "{}", refused.stderr);
     assert!(run("0s").expect(2).stderr.contains("--rate: the time between two samples must be above 0"));
 }
+
+#[test]
+fn a_trace_is_parquet_when_its_name_says_so() {
+    let bench = Bench::new();
+    bench.sim(&format!("{} --trace t.parquet --rate 10ms", gantry().display()));
+    let bytes = bench.read("t.parquet");
+    assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+    let text = String::from_utf8_lossy(&bytes);
+    assert!(text.contains("unit:X.position") && text.contains("P12288 / P12375"));
+}

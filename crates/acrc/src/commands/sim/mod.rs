@@ -7,6 +7,7 @@ mod rate;
 mod recorder;
 mod signals;
 mod summary;
+mod trace_file;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

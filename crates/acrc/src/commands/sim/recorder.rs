@@ -6,12 +6,11 @@ use acrc_controller::View;
 use acrc_controller::world::{World, WorldEvent};
 use acrc_image::Image;
 use acrc_trace::Trace;
-use acrc_trace::csv::CsvWriter;
 use acrc_trace::plot::{self, Event, PlotOptions};
-use anyhow::Context as _;
 
 use super::rate::Rate;
 use super::signals::Signals;
+use super::trace_file::TraceFile;
 use crate::cli::SimArguments;
 use crate::output::{OutputFile, write_file};
 
@@ -21,17 +20,12 @@ const PLOT_ROWS: usize = 200_000;
 /// Records a run.
 pub(super) struct Recorder {
     signals: Signals,
-    csv: Option<CsvFile>,
+    trace: Option<TraceFile>,
     plot: Option<Plot>,
     rate: Rate,
     /// Tick of the latest row.
     sampled: Option<u64>,
     row: Vec<f64>,
-}
-
-struct CsvFile {
-    path: PathBuf,
-    writer: CsvWriter<OutputFile>,
 }
 
 struct Plot {
@@ -47,14 +41,8 @@ impl Recorder {
     /// Opens the files that were asked for.
     pub(super) fn new(arguments: &SimArguments, image: &Image, world: &World) -> anyhow::Result<Self> {
         let signals = Signals::new(&arguments.signals, image, world)?;
-        let csv = match &arguments.trace {
-            Some(path) => {
-                let writer = CsvWriter::new(OutputFile::create(path)?, &signals.columns())
-                    .with_context(|| format!("cannot write {}", path.display()))?;
-                Some(CsvFile { path: path.clone(), writer })
-            }
-            None => None,
-        };
+        let columns = signals.columns();
+        let trace = arguments.trace.as_deref().map(|path| TraceFile::create(path, &columns)).transpose()?;
         let plot = match &arguments.plot {
             Some(path) => {
                 // Find out now, not after the run, that the file cannot be written.
@@ -64,12 +52,12 @@ impl Recorder {
             }
             None => None,
         };
-        Ok(Self { signals, csv, plot, rate: Rate::new(arguments.rate)?, sampled: None, row: Vec::new() })
+        Ok(Self { signals, trace, plot, rate: Rate::new(arguments.rate)?, sampled: None, row: Vec::new() })
     }
 
     /// Whether anything is recorded.
     pub(super) fn is_active(&self) -> bool {
-        self.csv.is_some() || self.plot.is_some()
+        self.trace.is_some() || self.plot.is_some()
     }
 
     /// The state in which a run ended, when no row has it yet.
@@ -88,10 +76,8 @@ impl Recorder {
     fn sample(&mut self, view: &View) -> anyhow::Result<()> {
         self.sampled = Some(view.ticks());
         self.signals.sample(view, &mut self.row);
-        if let Some(csv) = &mut self.csv {
-            csv.writer
-                .row(view.seconds(), &self.row)
-                .with_context(|| format!("cannot write {}", csv.path.display()))?;
+        if let Some(trace) = &mut self.trace {
+            trace.row(view.seconds(), &self.row)?;
         }
         if let Some(plot) = &mut self.plot {
             plot.sample(view.seconds(), &self.row)?;
@@ -109,9 +95,8 @@ impl Recorder {
     /// Completes the files; gives back what each is and where.
     pub(super) fn finish(self, name: &str) -> anyhow::Result<Vec<(&'static str, PathBuf)>> {
         let mut files = Vec::new();
-        if let Some(CsvFile { path, writer }) = self.csv {
-            writer.finish().with_context(|| format!("cannot write {}", path.display()))?.finish()?;
-            files.push(("trace", path));
+        if let Some(trace) = self.trace {
+            files.push(("trace", trace.finish()?));
         }
         if let Some(plot) = self.plot {
             let options = PlotOptions { title: name.to_owned(), events: plot.events, ..PlotOptions::default() };
