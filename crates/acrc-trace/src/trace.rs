@@ -58,6 +58,16 @@ impl Trace {
         Ok(())
     }
 
+    /// The same without some signals, given by their indices.
+    #[must_use]
+    pub fn without(mut self, is_left_out: impl Fn(usize) -> bool) -> Self {
+        let mut index = 0..;
+        self.signals.retain(|_| index.next().is_some_and(|index| !is_left_out(index)));
+        let mut index = 0..;
+        self.columns.retain(|_| index.next().is_some_and(|index| !is_left_out(index)));
+        self
+    }
+
     /// The signals, in the order of the values of a row.
     pub fn signals(&self) -> &[Signal] {
         &self.signals

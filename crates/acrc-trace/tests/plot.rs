@@ -96,6 +96,7 @@ fn a_small_picture() {
         width: 480,
         panel_height: 90,
         events: vec![event(0.5, "IN3 on"), event(0.0, "start"), event(2.0, "after the end")],
+        ..PlotOptions::default()
     };
     let picture = svg(&trace, &options);
     assert_well_formed(&picture);
@@ -258,7 +259,7 @@ proptest! {
         }
         let (width, panel_height) = options;
         let events = vec![event(at, "event"), event(0.0, "zero")];
-        let picture = svg(&trace, &PlotOptions { title: String::new(), width, panel_height, events });
+        let picture = svg(&trace, &PlotOptions { title: String::new(), width, panel_height, events, paths: Vec::new() });
         assert_well_formed(&picture);
         prop_assert!(!picture.contains("NaN") && !picture.contains("inf"));
         for (x, y) in first_curve(&picture) {

@@ -126,3 +126,16 @@ fn a_trace_is_parquet_when_its_name_says_so() {
     let text = String::from_utf8_lossy(&bytes);
     assert!(text.contains("unit:X.position") && text.contains("P12288 / P12375"));
 }
+
+#[test]
+fn a_plot_shows_the_path_and_leaves_out_an_error_that_is_always_zero() {
+    let bench = Bench::new();
+    bench.sim(&format!("{} --plot p.svg", gantry().display()));
+    let picture = String::from_utf8(bench.read("p.svg")).expect("text");
+    assert!(picture.contains(">X.position [units]<") && picture.contains(">BIT10 light_curtain<"));
+    assert!(!picture.contains("following error"));
+    bench.sim(&format!("{} --plot p.svg --signals X", gantry().display()));
+    let picture = String::from_utf8(bench.read("p.svg")).expect("text");
+    assert!(picture.contains(">following error [units]<"), "who asks for it sees it");
+    assert!(!picture.contains(">start<"), "one axis has no path");
+}

@@ -6,6 +6,7 @@ use super::canvas::{Anchor, Canvas, FONT_SIZE, Rect};
 use super::lanes;
 use super::lines::legend_width;
 use super::panel::{Content, Panel};
+use super::path::{self, PathPanel};
 use super::scale::Scale;
 use super::ticks::ticks;
 
@@ -42,12 +43,13 @@ pub(super) struct Across {
 }
 
 impl Across {
-    pub(super) fn new(panels: &[Panel<'_>], width: u32) -> Self {
+    /// `axis` is the room that something else than the panels needs on the left.
+    pub(super) fn new(panels: &[Panel<'_>], width: u32, axis: f64) -> Self {
         let legend = |panel: &Panel<'_>| match &panel.content {
             Content::Lines(_) => legend_width(panel.name_width().min(LONGEST_NAME)),
             Content::Lanes => HALF_TICK_LABEL,
         };
-        let left = MARGIN + panels.iter().map(axis_width).fold(0.0, f64::max);
+        let left = MARGIN + panels.iter().map(axis_width).fold(axis, f64::max);
         let right = MARGIN + panels.iter().map(legend).fold(0.0, f64::max);
         let plot_width = (f64::from(width) - left - right).max(NARROWEST_PLOT);
         Self { left, plot_width, width: left + plot_width + right }
@@ -77,11 +79,19 @@ pub(super) struct Layout {
     pub(super) height: f64,
     /// The panels from top to bottom.
     pub(super) frames: Vec<Frame>,
+    /// The paths below them.
+    pub(super) paths: Vec<Frame>,
 }
 
 impl Layout {
-    /// The panels below a title, if there is one, and the texts of the events.
-    pub(super) fn new(across: Across, panels: &[Panel<'_>], has_title: bool, events: f64) -> Self {
+    /// The panels below a title, if there is one, and the texts of the events; paths below the time axis.
+    pub(super) fn new(
+        across: Across,
+        panels: &[Panel<'_>],
+        paths: &[PathPanel<'_>],
+        has_title: bool,
+        events: f64,
+    ) -> Self {
         let mut top = top_margin(has_title) + events;
         let mut frames = Vec::new();
         for panel in panels {
@@ -89,8 +99,16 @@ impl Layout {
             frames.push(Frame { area, title_left: across.left - title_distance(panel, panels) });
             top += panel.height + PANEL_GAP;
         }
-        let height = top - PANEL_GAP + TIME_AXIS_HEIGHT + MARGIN;
-        Self { width: across.width, height, frames }
+        top += TIME_AXIS_HEIGHT - PANEL_GAP;
+        let path_title = paths.iter().map(PathPanel::axis_width).fold(0.0, f64::max) - FONT_SIZE;
+        let mut path_frames = Vec::new();
+        for _ in paths {
+            top += PANEL_GAP;
+            let area = Rect { left: across.left, top, width: across.plot_width, height: path::HEIGHT };
+            path_frames.push(Frame { area, title_left: across.left - path_title });
+            top += path::HEIGHT + path::FOOTER;
+        }
+        Self { width: across.width, height: top + MARGIN, frames, paths: path_frames }
     }
 
     pub(super) fn draw_title(&self, canvas: &mut Canvas, title: &str) {
@@ -139,7 +157,7 @@ pub(super) fn draw_message(width: u32, panel_height: u32, title: &str, message: 
         height: f64::from(panel_height),
     };
     let frames = vec![Frame { area, title_left: MARGIN }];
-    let layout = Layout { width: area.right() + MARGIN, height: area.bottom() + MARGIN, frames };
+    let layout = Layout { width: area.right() + MARGIN, height: area.bottom() + MARGIN, frames, paths: Vec::new() };
     let mut canvas = Canvas::new(layout.width, layout.height, title);
     layout.draw_title(&mut canvas, title);
     draw_border(&mut canvas, area);

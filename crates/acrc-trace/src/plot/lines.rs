@@ -19,7 +19,7 @@ const TICK_SPACING: f64 = 28.0;
 const LEGEND_ROW: f64 = 16.0;
 /// Zero stands out among the grid lines.
 const ZERO_LINE: &str = r##"stroke="#999""##;
-const CURVES: &str = r#"fill="none" stroke-width="1.5" stroke-linejoin="round" stroke-linecap="round""#;
+pub(super) const CURVES: &str = r#"fill="none" stroke-width="1.5" stroke-linejoin="round" stroke-linecap="round""#;
 
 /// What the lines of a panel need besides their samples.
 pub(super) struct Lines {
@@ -106,7 +106,7 @@ impl Lines {
 }
 
 /// The group with the units of its signals: `velocity [mm/s]`.
-fn axis_title(group: &str, signals: &[(usize, &Signal)]) -> String {
+pub(super) fn axis_title(group: &str, signals: &[(usize, &Signal)]) -> String {
     let mut units: Vec<&str> = Vec::new();
     for (_, signal) in signals {
         if !signal.unit.is_empty() && !units.contains(&signal.unit.as_str()) {

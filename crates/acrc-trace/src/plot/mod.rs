@@ -1,6 +1,7 @@
 //! Signals as one self-contained SVG picture: stacked panels over a shared time axis.
 //!
-//! Every group of signals is a panel. Real numbers are lines; bits are lanes of a timeline, filled while on. The
+//! Every group of signals is a panel. Real numbers are lines; bits are lanes of a timeline, filled while on. Below the
+//! time axis stand the paths of tools, to one scale in both directions. The
 //! picture has its own white background, no scripts and no external fonts, and its size depends on its width in pixels, not on
 //! the number of samples. What can't be drawn (NaN, infinity, numbers beyond 1e100) leaves a gap in its line.
 
@@ -12,6 +13,7 @@ mod layout;
 mod lines;
 mod palette;
 mod panel;
+mod path;
 mod scale;
 mod ticks;
 
@@ -19,6 +21,7 @@ use canvas::Canvas;
 use events::Markers;
 use layout::{Across, Layout};
 use panel::{Content, Panel};
+use path::PathPanel;
 use scale::{Domain, Scale};
 
 use crate::Trace;
@@ -35,11 +38,14 @@ pub struct PlotOptions {
     pub panel_height: u32,
     /// Points in time to mark, in any order.
     pub events: Vec<Event>,
+    /// Pairs of signals by name that are drawn one over the other below the time axis, as the path of a tool. Pairs of which a signal was not
+    /// recorded, or that never moved, are left out.
+    pub paths: Vec<[String; 2]>,
 }
 
 impl Default for PlotOptions {
     fn default() -> Self {
-        Self { title: String::new(), width: 1000, panel_height: 180, events: Vec::new() }
+        Self { title: String::new(), width: 1000, panel_height: 180, events: Vec::new(), paths: Vec::new() }
     }
 }
 
@@ -64,10 +70,17 @@ pub fn svg(trace: &Trace, options: &PlotOptions) -> String {
     // A single point in time stands in the middle of a second.
     let domain = domain.widened(0.0, 0.5);
 
-    let across = Across::new(&panels, options.width);
+    let across = Across::new(&panels, options.width, 0.0);
+    let paths = |across: Across| -> Vec<PathPanel<'_>> {
+        options.paths.iter().filter_map(|names| PathPanel::new(trace, names, across.plot_width)).collect()
+    };
+    // How wide a path can be depends on the labels beside it, which depend little on how wide it is.
+    let path_axis = paths(across).iter().map(PathPanel::axis_width).fold(0.0, f64::max);
+    let across = Across::new(&panels, options.width, path_axis);
+    let paths = paths(across);
     let time = Scale::new(domain, across.left, across.left + across.plot_width);
     let markers = Markers::new(&options.events, &time);
-    let layout = Layout::new(across, &panels, !options.title.is_empty(), markers.height());
+    let layout = Layout::new(across, &panels, &paths, !options.title.is_empty(), markers.height());
 
     let mut canvas = Canvas::new(layout.width, layout.height, &options.title);
     layout.draw_title(&mut canvas, &options.title);
@@ -79,5 +92,8 @@ pub fn svg(trace: &Trace, options: &PlotOptions) -> String {
         }
     }
     markers.draw(&mut canvas, &layout.frames);
+    for (path, frame) in paths.iter().zip(&layout.paths) {
+        path.draw(&mut canvas, *frame);
+    }
     canvas.finish()
 }

@@ -28,6 +28,17 @@ impl Domain {
         })
     }
 
+    /// Distance from the smallest to the largest value.
+    pub(super) fn size(self) -> f64 {
+        self.max - self.min
+    }
+
+    /// The same middle with another distance between smallest and largest value.
+    pub(super) fn resized(self, size: f64) -> Self {
+        let middle = f64::midpoint(self.min, self.max);
+        Self { min: middle - size / 2.0, max: middle + size / 2.0 }
+    }
+
     /// Makes room on both sides: `padding` as a part of the range or, where all values are the same, `constant` in
     /// their unit and at least as much as can be told apart at their size.
     pub(super) fn widened(self, padding: f64, constant: f64) -> Self {

@@ -99,8 +99,19 @@ impl Recorder {
             files.push(("trace", trace.finish()?));
         }
         if let Some(plot) = self.plot {
-            let options = PlotOptions { title: name.to_owned(), events: plot.events, ..PlotOptions::default() };
-            write_file(&plot.path, plot::svg(&plot.trace, &options).as_bytes())?;
+            let options = PlotOptions {
+                title: name.to_owned(),
+                events: plot.events,
+                paths: self.signals.paths(),
+                ..PlotOptions::default()
+            };
+            let dispensable = self.signals.dispensable();
+            let idle: Vec<bool> = (0..)
+                .zip(dispensable)
+                .map(|(index, dispensable)| dispensable && plot.trace.column(index).iter().all(|value| *value == 0.0))
+                .collect();
+            let trace = plot.trace.without(|index| idle.get(index) == Some(&true));
+            write_file(&plot.path, plot::svg(&trace, &options).as_bytes())?;
             files.push(("plot", plot.path));
         }
         Ok(files)

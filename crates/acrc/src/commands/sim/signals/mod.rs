@@ -40,8 +40,8 @@ pub(super) struct Signals {
     columns: Vec<Column>,
     /// Nobody has chosen them.
     usual: bool,
-    /// Pairs of columns that are the path of a tool.
-    paths: Vec<(usize, usize)>,
+    /// Pairs of columns by name that are the path of a tool.
+    paths: Vec<[String; 2]>,
 }
 
 impl Signals {
@@ -60,11 +60,12 @@ impl Signals {
                 columns.push(column);
             }
         }
-        let place = |axis: u8| {
+        let name = |axis: u8| {
             let position = Reading::Motion(axis, Quantity::Position);
-            columns.iter().position(|column| column.reading == position)
+            let column = columns.iter().find(|column| column.reading == position);
+            column.map(|column| column.signal.name.clone())
         };
-        let paths = names.planes().filter_map(|(across, up)| Some((place(across)?, place(up)?))).collect();
+        let paths = names.planes().filter_map(|(across, up)| Some([name(across)?, name(up)?])).collect();
         Ok(Self { columns, usual: asked.is_empty(), paths })
     }
 
@@ -88,9 +89,9 @@ impl Signals {
         self.columns.iter().map(|column| self.usual && following(column)).collect()
     }
 
-    /// Pairs of columns that are the path of a tool: the positions of the first two axes of a master.
-    pub(super) fn paths(&self) -> &[(usize, usize)] {
-        &self.paths
+    /// Pairs of columns by name that are the path of a tool: the positions of the first two axes of a master.
+    pub(super) fn paths(&self) -> Vec<[String; 2]> {
+        self.paths.clone()
     }
 
     /// Samples all signals. What cannot be read, such as a user parameter before its `DIM P`, is no number.
