@@ -51,6 +51,8 @@ impl Real {
 pub(crate) struct StatementMark {
     pub(crate) pc: u32,
     pub(crate) location: Location,
+    /// Where the program goes on when the statement is given up, with all that depends on it.
+    pub(crate) behind: u32,
 }
 
 /// The place of a statement.
@@ -121,10 +123,9 @@ impl Code {
         self.statement(pc).map_or(pc, |mark| mark.pc)
     }
 
-    /// Where the statement behind that of an instruction begins; the end of the program behind the last one.
+    /// Where the program goes on behind the statement of an instruction and all that depends on it.
     pub(crate) fn next_statement(&self, pc: u32) -> u32 {
-        let next = self.statements.partition_point(|mark| mark.pc <= pc);
-        self.statements.get(next).map_or(self.steps.len().saturating_sub(1) as u32, |mark| mark.pc)
+        self.statement(pc).map_or(self.steps.len().saturating_sub(1) as u32, |mark| mark.behind)
     }
 
     fn statement(&self, pc: u32) -> Option<&StatementMark> {

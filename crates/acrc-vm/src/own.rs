@@ -82,7 +82,8 @@ pub fn executes(command: CommandId) -> bool {
 }
 
 impl Frame {
-    /// Goes on behind the present statement, as a prompt does after a statement that was refused.
+    /// Goes on behind the present statement, as a prompt does after a statement that was refused. With a condition or a loop goes all that
+    /// depends on it.
     pub fn skip_statement(&mut self, code: &Code) {
         self.pc = code.next_statement(self.pc);
         self.held = false;

@@ -147,6 +147,23 @@ fn a_refused_statement_can_be_skipped() {
 }
 
 #[test]
+fn what_depends_on_a_refused_statement_is_skipped_with_it() {
+    for text in [
+        "IF (1 / 0) THEN PRINT 1 : PRINT 2",
+        "IF (1 / 0) : PRINT 1 : ELSE : PRINT 2 : ENDIF",
+        "IF (0) : PRINT 1 : ELSEIF (1 / 0) : PRINT 2 : ELSEIF (1) : PRINT 3 : ENDIF",
+        "WHILE (1 / 0)\nPRINT 1\nWEND",
+        "FOR P0 = 1 TO 1 / 0\nPRINT 1\nNEXT",
+    ] {
+        let mut machine = Machine::new(&format!("{text}\nPRINT \"last\""));
+        assert!(matches!(machine.finish(), Stop::Fault(_)), "{text}");
+        machine.frame.skip_statement(&machine.code);
+        assert_eq!(machine.finish(), Stop::Ended, "{text}");
+        assert_eq!(machine.bench.output, "last\r\n", "{text}");
+    }
+}
+
+#[test]
 fn what_the_machine_executes_is_known() {
     assert!(acrc_vm::executes(acrc_catalog::command::WHILE));
     assert!(!acrc_vm::executes(acrc_catalog::command::PRINT));

@@ -75,3 +75,9 @@ fn a_run_of_nothing_ends_at_once() {
     let ran = Sim::new("").run().clean();
     assert_eq!((ran.milliseconds(), ran.record.ticks), (0.0, 1));
 }
+
+#[test]
+fn what_depends_on_a_refused_condition_is_left_out() {
+    let ran = Sim::new("SYS\nWHILE (P99 = 1) : SET 32 : WEND\nIF (P99 = 1) THEN SET 32\nPRINT BIT32\n").run();
+    assert_eq!((&*ran.record.output[0].text, ran.record.faults.len()), ("0", 2));
+}

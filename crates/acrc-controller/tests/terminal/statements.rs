@@ -132,3 +132,11 @@ fn what_is_typed_at_a_prompt_are_commands() {
         assert!(told.starts_with("#0 is this terminal, which takes commands"), "{line}: {told}");
     }
 }
+
+#[test]
+fn what_depends_on_a_condition_that_cannot_be_read_is_not_executed() {
+    let mut desk = Desk::new();
+    let refused = "P99 is outside DIM P(0)\r\n";
+    assert_eq!(desk.ask("IF (P99 = 0) THEN ?1 : ?2"), refused);
+    assert_eq!(desk.ask("WHILE (P99 = 0) : ?1 : WEND : ?2"), format!("{refused}2\r\n"));
+}

@@ -34,6 +34,19 @@ pub(super) enum Role {
     Break { end: Option<usize> },
 }
 
+/// The last instruction that depends on one: the end of the block that it opens or divides, the end of the line of a one-line `IF`.
+pub(super) fn last_dependent(roles: &[Role], place: usize) -> usize {
+    match roles.get(place) {
+        Some(Role::IfThen { next_line }) => next_line.saturating_sub(1),
+        Some(Role::If { otherwise }) => match roles.get(*otherwise) {
+            Some(Role::ElseIf { end, .. } | Role::Else { end }) => *end,
+            _ => *otherwise,
+        },
+        Some(Role::ElseIf { end, .. } | Role::While { end } | Role::For { end, .. }) => *end,
+        _ => place,
+    }
+}
+
 /// A block that is not closed yet.
 struct Open {
     command: CommandId,

@@ -157,7 +157,7 @@ impl Loader<'_> {
         self.scratch = Scratch::default();
         let entry = self.steps.len() as u32;
         self.addresses.push(Addresses { entry, start: entry });
-        self.statements.push(StatementMark { pc: entry, location: self.location });
+        self.statements.push(StatementMark { pc: entry, location: self.location, behind: entry });
     }
 
     /// The present statement starts here for those who jump to it.
@@ -204,6 +204,9 @@ impl Loader<'_> {
             if let Some(target) = self.steps.get_mut(*op).and_then(|step| step.op.target_mut()) {
                 *target = destination;
             }
+        }
+        for (place, mark) in self.statements.iter_mut().enumerate() {
+            mark.behind = address(blocks::last_dependent(&self.roles, place) + 1).entry;
         }
         let loops = self.roles.iter().filter(|role| matches!(role, Role::For { .. })).count();
         Code {
