@@ -5,10 +5,10 @@
 
 use std::collections::VecDeque;
 
-use acrc_catalog::{command, law};
+use acrc_catalog::{command, law, message};
 use acrc_syntax::ast::{Statement, StatementKind};
 use acrc_syntax::units::Level;
-use acrc_vm::Stop;
+use acrc_vm::{FaultKind, Stop};
 
 use super::setup::Immediate;
 use super::{Controller, Observer};
@@ -275,7 +275,13 @@ impl Controller {
         (typed.waited_at, typed.waits_for) = (self.changes.count(), footprint.reads);
         if let Stop::Fault(fault) = &run.stop {
             typed.frame.skip_statement(code);
-            self.say(id, &fault.to_string());
+            // The system prompt has no local variables to dimension.
+            let elsewhere = level == Level::System && matches!(fault.kind, FaultKind::OutOfMemory { .. });
+            if elsewhere {
+                self.say(id, message::UNKNOWN_COMMAND.text());
+            } else {
+                self.say(id, &fault.to_string());
+            }
         }
         let done = run.stop == Stop::Ended;
         self.with_channel(id, |channel| channel.level = level);
