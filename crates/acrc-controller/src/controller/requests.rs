@@ -99,31 +99,38 @@ impl Controller {
         self.store(unit)
     }
 
-    /// Stores a text in its space.
-    pub(crate) fn store(&mut self, unit: Unit) -> Result<(), Refusal> {
+    /// Stores a text that can be executed.
+    fn store(&mut self, unit: Unit) -> Result<(), Refusal> {
+        let code = Code::load_with(&unit, self.aliases.entries(), self.load)
+            .map_err(|error| Refusal::Code(unit.name, error))?;
+        self.note_doubts(&unit, &code);
+        if let Some(task) = self.store_text(unit)? {
+            self.program_mut(task).code = Some(code);
+        }
+        Ok(())
+    }
+
+    /// Stores a text in its space. Whether it can be executed shows when it is started.
+    pub(crate) fn store_text(&mut self, unit: Unit) -> Result<Option<Task>, ControllerError> {
         let (task, object, index, count) = match unit.name {
             UnitName::Program(number) => (Task::Program(number), "PROG", number, self.programs.len()),
             UnitName::Plc(number) => (Task::Plc(number), "PLC", number, self.plcs.len()),
-            UnitName::Boot => return Ok(()),
+            UnitName::Boot => return Ok(None),
         };
         Machine::object(object, i64::from(index), count as u8)?;
         let available = self.machine.space(task);
         let needed = u64::from(unit.memory());
         if needed > available {
-            return Err(ControllerError::ProgramTooLarge { unit: unit.name, needed, available }.into());
+            return Err(ControllerError::ProgramTooLarge { unit: unit.name, needed, available });
         }
-        let code = Code::load_with(&unit, self.aliases.entries(), self.load)
-            .map_err(|error| Refusal::Code(unit.name, error))?;
-        self.note_doubts(&unit, &code);
         let program = self.program_mut(task);
         // The place at which the old text stood means nothing in the new one.
         program.stop(State::Idle);
         program.frame.reset();
         program.keep(unit);
-        program.code = Some(code);
         program.set_space(available);
         self.machine.memory.set_stored(task.space(), true);
-        Ok(())
+        Ok(Some(task))
     }
 
     /// Notes what the behaviour of a text rests on without proof.

@@ -302,7 +302,7 @@ impl Controller {
         let places = self.merge_aliases(&memory.aliases)?;
         for unit in &memory.programs {
             let unit = unit.renumber_aliases(&places)?;
-            self.store(unit)?;
+            self.store_text(unit)?;
         }
         Ok(())
     }

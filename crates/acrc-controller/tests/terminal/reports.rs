@@ -144,3 +144,19 @@ fn aliases_are_lost_with_the_memory_they_were_in() {
     assert_eq!(desk.ask("DEF"), "");
     assert_eq!(desk.ask("?speed"), "the name `speed` is not defined\r\n");
 }
+
+#[test]
+fn a_text_that_cannot_be_executed_outlasts_a_reset() {
+    let mut desk = Desk::new();
+    desk.send("PROG0\rPROGRAM\rPRINT 1\rIF (1)\rENDP\rPROG1\rPROGRAM\rPRINT 2\rENDP\rREBOOT\rPROG0\r");
+    assert_eq!(desk.ask("LIST"), "PRINT 1\r\nIF (1)\r\n");
+    let told = desk.send("LRUN\r") + &desk.wait(0.1);
+    assert_eq!(told, "LRUN\r\nIF without ENDIF [line 20]\r\nP00>");
+    desk.send("PROG1\r");
+    assert_eq!(desk.ask("LIST"), "PRINT 2\r\n");
+    assert_eq!(
+        desk.log.faults,
+        ["PROG0 line 20 statement 1: IF without ENDIF"],
+        "LRUN has found it, and not the reset"
+    );
+}
