@@ -178,6 +178,9 @@ pub(crate) struct SimArguments {
     /// Draw the run
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) plot: Option<PathBuf>,
+    /// Write one page to look around the run in a browser: plots to zoom, output, faults, the statement at the cursor
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
     /// Parameters and flags to report at the end
     #[arg(long, value_name = "P12288,BIT32,...", value_delimiter = ',', value_parser = parse_register)]
     pub(crate) read: Vec<Register>,

@@ -58,6 +58,11 @@ pub struct Event {
     pub text: String,
 }
 
+/// Text as it stands in markup.
+pub(crate) fn escaped(text: &str) -> String {
+    canvas::Escaped(text).to_string()
+}
+
 /// Draws a trace.
 #[must_use]
 pub fn svg(trace: &Trace, options: &PlotOptions) -> String {

@@ -2,11 +2,13 @@
 
 mod json;
 mod observer;
+mod page;
 mod ports;
 mod rate;
 mod recorder;
 mod signals;
 mod summary;
+mod thinned;
 mod trace_file;
 
 use std::path::{Path, PathBuf};
@@ -48,7 +50,14 @@ struct Setup {
 pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Result<Exit> {
     let project = if arguments.stored { None } else { Some(load(&arguments.project)?) };
     let sent = arguments.output.iter().map(|output| &output.path);
-    let outputs: Vec<&Path> = arguments.trace.iter().chain(&arguments.plot).chain(sent).map(PathBuf::as_path).collect();
+    let outputs: Vec<&Path> = arguments
+        .trace
+        .iter()
+        .chain(&arguments.plot)
+        .chain(&arguments.report)
+        .chain(sent)
+        .map(PathBuf::as_path)
+        .collect();
     let typed = arguments.input.iter().map(|input| input.path.clone());
     let inputs: Vec<PathBuf> = project.iter().flat_map(inputs).chain(arguments.world.clone()).chain(typed).collect();
     refuse_clashes(&outputs, &inputs)?;
@@ -85,13 +94,20 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
     }
 
     let exit = exit_of(stopped, &controller);
+    notes.extend(summary::notes_of(&controller, &record));
+    let report = summary::Report {
+        title: &title,
+        project: project.as_ref(),
+        controller: &controller,
+        record: &record,
+        stopped,
+        read: &arguments.read,
+        notes: &notes,
+    };
     let files = match stopped {
         Stopped::Interrupted => Vec::new(),
-        Stopped::Ended | Stopped::Until => [recorder.finish(&title)?, sent.finish()?].concat(),
+        Stopped::Ended | Stopped::Until => [recorder.finish(&report)?, sent.finish()?].concat(),
     };
-    notes.extend(summary::notes_of(&controller, &record));
-    let report =
-        summary::Report { controller: &controller, record: &record, stopped, read: &arguments.read, notes: &notes };
     match arguments.format {
         SimFormat::Text => summary::print(&report, wall, until, &files, Terminal::output(color))?,
         SimFormat::Json => json::print(&report)?,

@@ -110,7 +110,7 @@ pub(super) fn source(unit: UnitName) -> String {
 }
 
 /// Where a line came from, and the stream that it went to. Without a program device 0 is the terminal of the stream.
-fn route(line: &Line) -> String {
+pub(super) fn route(line: &Line) -> String {
     match (line.unit, line.device, line.stream) {
         (UnitName::Boot, 0, Some(stream)) => stream.to_string(),
         (unit, _, Some(stream)) => format!("{} {stream}", source(unit)),

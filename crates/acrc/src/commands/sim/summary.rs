@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use acrc_analysis::project::LoadedProject;
 use acrc_controller::{AxisReport, Controller, Port, Stopped};
 
 use super::observer::Record;
@@ -12,6 +13,10 @@ use crate::output::{Terminal, print as write_out};
 
 /// A run that is over.
 pub(super) struct Report<'a> {
+    /// What a person calls the project.
+    pub(super) title: &'a str,
+    /// The project; `None` for programs that the controller has kept.
+    pub(super) project: Option<&'a LoadedProject>,
     pub(super) controller: &'a Controller,
     pub(super) record: &'a Record,
     pub(super) stopped: Stopped,
@@ -102,7 +107,7 @@ fn axes(text: &mut String, report: &Report, terminal: Terminal) {
     section(text, terminal, "axes", &rows);
 }
 
-fn axis_title(axis: &AxisReport) -> String {
+pub(super) fn axis_title(axis: &AxisReport) -> String {
     match &axis.name {
         Some(name) => format!("{name} (AXIS{})", axis.axis),
         None => format!("AXIS{}", axis.axis),
@@ -171,7 +176,7 @@ fn section(text: &mut String, terminal: Terminal, name: &str, rows: &[String]) {
 }
 
 /// A number with at most so many decimals and no trailing zeros.
-fn trim(value: f64, decimals: usize) -> String {
+pub(super) fn trim(value: f64, decimals: usize) -> String {
     let fixed = format!("{value:.decimals$}");
     let trimmed = if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.') } else { &fixed };
     if trimmed == "-0" { "0".to_owned() } else { trimmed.to_owned() }
