@@ -80,6 +80,7 @@ fn the_data_has_what_the_script_reads() {
     assert_eq!(position["real"]["low"]["count"], 5);
     assert_eq!(parameter["real"]["low"], Value::Null, "no number at all");
     assert_eq!(bit["bit"], json!([0, 0, 1, 3, 2, 0, 3, 3, 4, 0]));
+    assert_eq!(data["times"], json!([1, 0, 4, 1_000_000]));
     assert_eq!(data["paths"].as_array().map(Vec::len), Some(1));
     assert_eq!(data["paths"][0]["y"], json!(7.0));
     assert_eq!(

@@ -1,7 +1,7 @@
 //! What a run was, for the script of the page: one JSON object.
 //!
 //! Columns of numbers are small: one that never changes is a number, else it is the base64 of 32-bit whole numbers with an offset and a step, which
-//! keeps nine digits of its range. Bits are runs: the point at which a state begins, and the state.
+//! keeps nine digits of its range. Times are whole microseconds: how many follow each other at which distance. Bits are runs: the point at which a state begins, and the state.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -16,7 +16,7 @@ const NO_NUMBER: i32 = i32::MIN;
 #[derive(Serialize)]
 struct Document<'a> {
     facts: &'a [(String, String)],
-    times: Column,
+    times: Vec<u64>,
     end: f64,
     per_point: u64,
     signals: Vec<SignalData<'a>>,
@@ -63,7 +63,7 @@ enum Values {
 struct PathData<'a> {
     names: [&'a str; 2],
     units: [&'a str; 2],
-    times: Column,
+    times: Vec<u64>,
     x: Column,
     y: Column,
 }
@@ -99,7 +99,7 @@ fn document<'a>(report: &'a Report<'a>) -> Document<'a> {
         |events: &'a [crate::plot::Event]| events.iter().map(|event| (event.time, event.text.as_str())).collect();
     Document {
         facts: &report.facts,
-        times: column(signals.times()),
+        times: steps(signals.times()),
         end: signals.end().unwrap_or(0.0),
         per_point: signals.per_point(),
         signals: signals
@@ -150,6 +150,22 @@ fn column(values: &[f64]) -> Column {
     Column::Packed { offset, step, wholes: STANDARD.encode(bytes), count: values.len() }
 }
 
+/// Times as a count and a distance in microseconds in turns; the first distance is that from 0.
+fn steps(times: &[f64]) -> Vec<u64> {
+    let mut steps: Vec<u64> = Vec::new();
+    let mut before = 0;
+    for time in times {
+        let now = (time * 1e6).round() as u64;
+        let step = now.saturating_sub(before);
+        before = now;
+        match steps.as_mut_slice() {
+            [.., count, last] if *last == step => *count += 1,
+            _ => steps.extend([1, step]),
+        }
+    }
+    steps
+}
+
 fn runs(band: &Band) -> Vec<usize> {
     let mut runs = Vec::new();
     let mut last = None;
@@ -169,7 +185,7 @@ fn path_data<'a>(trace: &'a Trace, names: &[String; 2]) -> Option<PathData<'a>> 
     Some(PathData {
         names: signals.map(|signal| signal.name.as_str()),
         units: signals.map(|signal| signal.unit.as_str()),
-        times: column(trace.times()),
+        times: steps(trace.times()),
         x: column(trace.column(x)),
         y: column(trace.column(y)),
     })

@@ -89,7 +89,7 @@ function connectPointer(view, plots, timeScale) {
     "wheel",
     (event) => {
       // Without a click into the plots before, the wheel scrolls the page.
-      if (!event.ctrlKey && document.activeElement !== plots) {
+      if ((!event.ctrlKey && document.activeElement !== plots) || !event.target.closest("svg")) {
         return;
       }
       event.preventDefault();

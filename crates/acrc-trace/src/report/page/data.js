@@ -14,12 +14,28 @@ function column(packed, count) {
   });
 }
 
+/** Times from counts and distances in microseconds in turns. */
+function unpackTimes(steps) {
+  const times = [];
+  let now = 0;
+  for (let index = 0; index < steps.length; index += 2) {
+    for (let count = steps[index]; count > 0; count -= 1) {
+      now += steps[index + 1];
+      times.push(now / 1e6);
+    }
+  }
+  return Float64Array.from(times);
+}
+
+/** Times are whole microseconds, and the cursor is where it is to within half of one. */
+const HALF_MICROSECOND = 5e-7;
+
 /** The index of the last of ascending `times` that is not after `time`; -1 when all are. */
 function lastAt(times, time) {
   let [low, high] = [0, times.length];
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (times[middle] <= time) {
+    if (times[middle] <= time + HALF_MICROSECOND) {
       low = middle + 1;
     } else {
       high = middle;
@@ -112,8 +128,7 @@ class Bit {
 /** The data of the page, unpacked. */
 function readRun() {
   const data = JSON.parse(byId("data").textContent);
-  const count = data.times === null || typeof data.times === "number" ? 1 : data.times.count;
-  const times = column(data.times, count);
+  const times = unpackTimes(data.times);
   const signals = data.signals.map((signal) => (signal.bit ? new Bit(signal, times, data.end) : new Real(signal, times)));
-  return { ...data, times, signals, begin: Number.isFinite(times[0]) ? times[0] : 0 };
+  return { ...data, times, signals, begin: times[0] ?? 0 };
 }

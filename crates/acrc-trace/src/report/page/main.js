@@ -61,7 +61,6 @@ function start() {
   };
   connect(view, plots, () => ({ left: panels[0].svg.getBoundingClientRect().left, scale: panels[0].time }));
   view.follow(draw);
-  view.tell();
   window.addEventListener("resize", draw);
   // What is printed is drawn for the width of the paper.
   window.matchMedia("print").addEventListener("change", draw);

@@ -6,9 +6,8 @@ class Path {
   constructor(data) {
     this.names = data.names;
     this.units = data.units;
-    const packed = [data.times, data.x, data.y].find((part) => part !== null && typeof part === "object");
-    const count = packed ? packed.count : 1;
-    [this.times, this.x, this.y] = [data.times, data.x, data.y].map((part) => column(part, count));
+    this.times = unpackTimes(data.times);
+    [this.x, this.y] = [data.x, data.y].map((part) => column(part, this.times.length));
     const label = `${data.names[1]} over ${data.names[0]}`;
     this.svg = svg("svg", { role: "img", "aria-label": label });
     this.element = html("figure", { class: "path" }, this.svg);

@@ -19,8 +19,7 @@ class Program {
 
   /** The file, line, statement and state at a time; nothing before it is known. */
   at(time) {
-    // Times are written to the microsecond.
-    const index = lastAt(this.times, time + 5e-7);
+    const index = lastAt(this.times, time);
     return index < 0 ? null : this.places[this.entries[index]];
   }
 
@@ -69,7 +68,7 @@ class Output {
     if (key !== this.key) {
       this.key = key;
       // Rounding must not hide the first and the last line of a run.
-      this.first = from <= begin ? 0 : lastAt(this.times, from - 1e-9) + 1;
+      this.first = from <= begin ? 0 : lastAt(this.times, from - 2 * HALF_MICROSECOND) + 1;
       const behind = to >= end ? this.lines.length : lastAt(this.times, to) + 1;
       const shown = this.lines.slice(this.first, Math.min(behind, this.first + MOST_LINES));
       this.rows = shown.map(([time, source, text]) => {

@@ -13,34 +13,28 @@ class View {
     this.to = this.end;
     this.cursor = this.begin;
     this.readAddress();
-    window.addEventListener("hashchange", () => {
-      this.readAddress();
-      this.tell();
-    });
+    window.addEventListener("hashchange", () => this.readAddress());
   }
 
-  /** Calls a function now and whenever something changes. */
+  /** Calls a function now and whenever something has changed. */
   follow(listener) {
     this.listeners.push(listener);
     listener();
   }
 
   tell() {
-    const main = document.querySelector("main");
-    const rounded = (time) => String(Number(time.toFixed(6)));
-    Object.assign(main.dataset, { from: rounded(this.from), to: rounded(this.to), cursor: rounded(this.cursor) });
     this.listeners.forEach((listener) => listener());
   }
 
+  /** Something is different: the page says so at once, and is drawn with the next frame. */
   change() {
+    const main = document.querySelector("main");
+    const rounded = (time) => String(Number(time.toFixed(6)));
+    Object.assign(main.dataset, { from: rounded(this.from), to: rounded(this.to), cursor: rounded(this.cursor) });
     clearTimeout(this.writing);
     this.writing = setTimeout(() => this.writeAddress(), 200);
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => this.tell());
-    // Whoever reads the state right away finds it.
-    if (document.hidden) {
-      this.tell();
-    }
   }
 
   setRange(from, to) {
