@@ -160,6 +160,8 @@ pub enum LocalBlock {
     References(OperandClass),
     /// `DIM LA0(size)`, `DIM $A0(size, length)`
     Array(OperandClass),
+    /// `DIM MBUF(count)`
+    Moves,
 }
 
 impl LocalBlock {
@@ -167,6 +169,7 @@ impl LocalBlock {
     pub const fn cost(self) -> Cost {
         match self {
             Self::References(_) => REFERENCES,
+            Self::Moves => MOVES,
             Self::Variables(class) | Self::Array(class) => match class {
                 OperandClass::Sv => SV,
                 OperandClass::Dv => DV,
@@ -190,10 +193,17 @@ impl LocalBlock {
         self.cost().bytes(count, length)
     }
 
-    /// The class of what is allocated.
-    pub const fn class(self) -> OperandClass {
-        let (Self::Variables(class) | Self::References(class) | Self::Array(class)) = self;
-        class
+    /// The word of its `DIM`: `LV`, `MBUF`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Variables(class) | Self::References(class) | Self::Array(class) => class.name(),
+            Self::Moves => "MBUF",
+        }
+    }
+
+    /// Whether its `DIM` also says how long each string is.
+    pub const fn has_length(self) -> bool {
+        matches!(self, Self::Variables(OperandClass::StringV) | Self::Array(OperandClass::StringA))
     }
 }
 

@@ -40,6 +40,7 @@ fn blocks_of_local_variables() {
         (LocalBlock::Array(OperandClass::Da), 3, 0, 3 * 8 + 4),
         (LocalBlock::Array(OperandClass::StringA), 5, 20, 5 * 20),
         (LocalBlock::Array(OperandClass::StringA), 5, 0, 5),
+        (LocalBlock::Moves, 10, 0, 10 * 136),
     ] {
         assert_eq!(block.bytes(count, length), bytes, "{block:?}");
     }

@@ -74,6 +74,14 @@ impl Host for Context<'_> {
         outcome
     }
 
+    fn move_buffer(&mut self, moves: u32) {
+        if self.moves != moves {
+            self.moves = moves;
+            // A move of the program may wait for room.
+            self.footprint.write(Places::ALL);
+        }
+    }
+
     /// A generator of its own for each run, so that a run can be repeated: splitmix64.
     // Out of line, so that the loop that asks for a number stays small.
     #[inline(never)]

@@ -5,16 +5,20 @@ use acrc_motion::{Lookahead, Master as Profiler, Move, MoveSettings, SettingErro
 use crate::command::{CUBIC, Curve, TimeBase};
 use crate::coordination::{Condition, Redirection};
 
+use crate::command::UNBUFFERED;
+
 /// Slave slots of a master.
 pub(crate) const SLOTS: usize = 16;
-/// Moves that may wait behind the running one without `DIM MBUF`.
-const QUEUE: usize = 1;
 
 /// State of one master.
 #[derive(Debug)]
 pub(crate) struct Master {
     /// The profiler.
     pub(crate) profiler: Profiler,
+    /// Moves for which the profiler has places beside the running one.
+    pub(crate) places: u32,
+    /// `MBUF ON`
+    pub(crate) buffered: bool,
     /// What the next move is made with.
     pub(crate) settings: MoveSettings,
     /// Moves take the time of `TMOV`.
@@ -99,7 +103,9 @@ pub struct MasterStatistics {
 impl Master {
     pub(crate) fn new() -> Self {
         Self {
-            profiler: Profiler::new(QUEUE),
+            profiler: Profiler::new(UNBUFFERED as usize),
+            places: UNBUFFERED,
+            buffered: false,
             settings: MoveSettings::default(),
             timed: true,
             look: Look::default(),

@@ -1,5 +1,6 @@
 //! What commands ask of the controller around the machine: of the scheduler, and of the programs' texts and variables.
 
+use acrc_catalog::CommandId;
 use acrc_syntax::units::Level;
 
 use crate::nonvolatile::Operation;
@@ -40,8 +41,8 @@ pub(crate) enum Request {
 pub(crate) enum Query {
     /// `LIST`: the lines between two numbers of the program at the prompt.
     List { first: u32, last: u32 },
-    /// `DIM` without a size.
-    Dimensions,
+    /// `DIM` without a size: everything at the level, or only what one of its daughters allocates.
+    Dimensions(CommandId),
     /// `MEM`
     FreeMemory,
     /// `DEF`

@@ -36,9 +36,15 @@ pub trait Host {
     /// Writes a flag: `BIT 32 = 1`, and also `SET 32` and `CLR 32`, which the guide calls the same.
     fn set_bit(&mut self, number: i64, state: bool) -> Result<(), FaultKind>;
 
-    /// Executes a command: everything but flow, assignments, `SET` and `CLR` of one flag, and `DIM` of local variables.
+    /// Executes a command: everything but flow, assignments, `SET` and `CLR` of one flag, and `DIM` of local variables
+    /// and of the move buffer.
     /// A bare `CLEAR` comes here before the local variables are cleared.
     fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind>;
+
+    /// Told how many moves the move buffer of the program holds from now on (`DIM MBUF`, `CLEAR MBUF`, `CLEAR`); 0 without memory.
+    fn move_buffer(&mut self, moves: u32) {
+        let _ = moves;
+    }
 
     /// A whole number from 0 up to, not including, `below`, which is at least 1.
     fn random(&mut self, below: u32) -> u32;

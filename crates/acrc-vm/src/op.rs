@@ -259,6 +259,7 @@ pub(crate) enum Op {
     // The rest.
     Dim { block: DimBlock, array: Slot, count: Slot, length: Slot },
     Clear,
+    ClearMoves,
     Call { index: u32 },
 }
 

@@ -26,6 +26,8 @@ pub(crate) enum Own {
     Flag(bool),
     /// It allocates local variables.
     Dim(OperandClass),
+    /// It allocates the move buffer, or frees it.
+    Moves,
     /// It frees the local variables, after the host has done its part.
     Clear,
 }
@@ -67,6 +69,8 @@ const OWN: &[(CommandId, Own)] = &[
     (command::DIM_SA, Own::Dim(OperandClass::Sa)),
     (command::DIM_DA, Own::Dim(OperandClass::Da)),
     (command::DIM_STRING_A, Own::Dim(OperandClass::StringA)),
+    (command::DIM_MBUF, Own::Moves),
+    (command::CLEAR_MBUF, Own::Moves),
     (command::CLEAR, Own::Clear),
 ];
 

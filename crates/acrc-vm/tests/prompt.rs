@@ -128,14 +128,14 @@ fn an_interrupt_of_the_host_stops_in_front_of_the_next_line() {
 /// A program with variables of every class.
 const EVERY_CLASS: &str = "DIM LV(2)\nDIM SV(1)\nDIM DV(2)\nDIM $V(2,5)\nDIM LA(2)\nDIM LA1(2)\nDIM SA(1)\nDIM SA0(1)\n\
     DIM DA(1)\nDIM DA0(2)\nDIM $A(2)\nDIM $A0(2,3)\nLV1 = -5 : SV0 = 0.1 : DV1 = 1/3 : $V0 = CHR$(255) : LA1(1) = 9\n\
-    SA0(0) = 2.5 : DA0(1) = 1e-300 : $A0(1) = \"abc\"";
+    SA0(0) = 2.5 : DA0(1) = 1e-300 : $A0(1) = \"abc\" : DIM MBUF(2)";
 
 #[test]
 fn variables_come_back_as_they_were() {
     let mut machine = Machine::new(EVERY_CLASS);
     assert_eq!(machine.finish(), Stop::Ended);
     let image = machine.locals.image();
-    assert_eq!(image.longs, Some(vec![0, -5]));
+    assert_eq!((image.longs.clone(), image.moves), (Some(vec![0, -5]), Some(2)));
     assert_eq!(image.long_arrays, Some(vec![None, Some(vec![0, 9])]));
     assert_eq!(image.texts, Some(TextsImage { length: 5, items: vec![Text::from(&[255][..]), Text::default()] }));
     let restored = Locals::restore(MEMORY, image.clone()).expect("a program left it behind");

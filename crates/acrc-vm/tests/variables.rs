@@ -53,6 +53,9 @@ fn memory_is_that_of_the_guide() {
         ("DIM DA(1)\nDIM DA0(3)", 8 + 28),
         ("DIM $A(2)\nDIM $A1(3,10)", 12 + 30),
         ("DIM LV(2)\nCLEAR\nDIM LV(1)", 4),
+        ("DIM MBUF(3)", 3 * 136),
+        ("DIM LV(2)\nDIM MBUF(3)\nCLEAR MBUF", 8),
+        ("CLEAR MBUF\nDIM MBUF(3)\nCLEAR", 0),
     ];
     for (program, bytes) in cases {
         let mut machine = Machine::new(program);

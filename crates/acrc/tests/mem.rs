@@ -23,7 +23,7 @@ struct Case {
 }
 
 /// The numbers are counted by hand: 4 a command, 8 an operand with its number, 4 a constant.
-const CASES: [Case; 9] = [
+const CASES: [Case; 11] = [
     // SET 32 and CLR 32
     Case { name: "text", text: "PROGRAM\nSET 32\nCLR 32\nENDP\n", enough: 8 + 8 },
     // CLEAR, DIM LV(3), LV2 = 1: command, operand, constant; 3 longs
@@ -43,6 +43,14 @@ const CASES: [Case; 9] = [
         name: "calls",
         text: "PROGRAM\nGOSUB A\nEND\n_A\nGOSUB B\nRETURN\n_B\nRETURN\nENDP\n",
         enough: 8 + 4 + 9 + 8 + 4 + 9 + 4 + 2 * 4,
+    },
+    // CLEAR, DIM MBUF(2); 2 moves
+    Case { name: "MBUF", text: "PROGRAM\nCLEAR\nDIM MBUF(2)\nENDP\n", enough: 4 + 8 + 2 * 136 },
+    // CLEAR, DIM MBUF(2), CLEAR MBUF, DIM MBUF(3): not both at once
+    Case {
+        name: "CLEAR MBUF",
+        text: "PROGRAM\nCLEAR\nDIM MBUF(2)\nCLEAR MBUF\nDIM MBUF(3)\nENDP\n",
+        enough: 4 + 8 + 4 + 8 + 3 * 136,
     },
     // variables that are given at the prompt, after the text was stored: LV1 = 5; 2 longs
     Case { name: "prompt", text: "PROGRAM\nLV1 = 5\nENDP\nDIM LV(2)\n", enough: 16 + 8 },

@@ -66,10 +66,13 @@ pub enum EventKind {
 pub enum Block {
     /// Something of the system.
     System(SystemBlock),
-    /// Variables of a program; arrays with their number.
+    /// Variables of a program, or its move buffer; arrays with their number.
     Local(LocalBlock, u32),
+}
+
+impl Block {
     /// The move buffer of a program.
-    Moves,
+    pub const MOVES: Self = Self::Local(LocalBlock::Moves, 0);
 }
 
 /// The numbers of a `DIM`, where they are written as numbers.
@@ -86,8 +89,7 @@ impl fmt::Display for Block {
         match self {
             Self::System(block) => block.fmt(f),
             Self::Local(LocalBlock::Array(class), number) => write!(f, "{class}{number}"),
-            Self::Local(LocalBlock::Variables(class) | LocalBlock::References(class), _) => class.fmt(f),
-            Self::Moves => f.write_str("MBUF"),
+            Self::Local(block, _) => f.write_str(block.word()),
         }
     }
 }
@@ -212,7 +214,7 @@ fn dim_block(dim: &Dim) -> Option<Block> {
         command::DIM_COM2 => Block::System(SystemBlock::Stream(Stream::Com(2))),
         command::DIM_FIFO => Block::System(SystemBlock::Stream(Stream::Fifo)),
         command::DIM_DPCB => Block::System(SystemBlock::Stream(Stream::Dpcb)),
-        command::DIM_MBUF => Block::Moves,
+        command::DIM_MBUF => Block::MOVES,
         _ => match (local_class(dim.id)?, number) {
             (class, Some(number)) => Block::Local(LocalBlock::Array(class), number?),
             (class, None) if class.is_array() => Block::Local(LocalBlock::References(class), 0),
@@ -223,8 +225,7 @@ fn dim_block(dim: &Dim) -> Option<Block> {
 
 /// Whether the second size of a `DIM` is the length of strings.
 fn is_text(block: Block) -> bool {
-    let Block::Local(LocalBlock::Variables(class) | LocalBlock::Array(class), _) = block else { return false };
-    matches!(class, OperandClass::StringV | OperandClass::StringA)
+    matches!(block, Block::Local(local, _) if local.has_length())
 }
 
 /// The class of local variables that a `DIM` is about.

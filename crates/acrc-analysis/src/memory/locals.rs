@@ -32,7 +32,6 @@ impl Extent {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LocalDims {
     blocks: BTreeMap<(LocalBlock, u32), Extent>,
-    moves: bool,
 }
 
 impl LocalDims {
@@ -49,23 +48,16 @@ impl LocalDims {
 
     /// Nothing is dimensioned.
     pub fn is_empty(&self) -> bool {
-        self.blocks.is_empty() && !self.moves
+        self.blocks.is_empty()
     }
 
     /// Whether the move buffer has memory somewhere.
     pub fn has_moves(&self) -> bool {
-        self.moves
+        self.extent(LocalBlock::Moves, 0).is_some()
     }
 
     pub(super) fn add(&mut self, event: &Event) {
-        let (block, array, size) = match event.kind {
-            EventKind::Dim(Block::Local(block, array), size) => (block, array, size),
-            EventKind::Dim(Block::Moves, _) => {
-                self.moves = true;
-                return;
-            }
-            _ => return,
-        };
+        let EventKind::Dim(Block::Local(block, array), size) = event.kind else { return };
         let extent = Extent::of(size);
         self.blocks.entry((block, array)).and_modify(|known| *known = known.join(extent)).or_insert(extent);
     }

@@ -12,7 +12,7 @@ use acrc_syntax::units::Level;
 use super::events::{Block, Event, EventKind, MemoryEvents, Size, space_of};
 use super::issue::{Issue, IssueKind, Site, Space, Spare};
 use super::locals::{Extent, LocalDims};
-use super::state::{LocalState, Slot, factory, forget, local_bytes};
+use super::state::{LocalState, Slot, factory, forget, forget_moves, local_bytes};
 use super::text::SectionBytes;
 use crate::Symbols;
 use crate::index::Sequence;
@@ -146,16 +146,14 @@ impl Player {
                 let extent = Extent::of(size);
                 *known = Some(known.map_or(extent, |known| known.join(extent)));
             }
-            EventKind::Dim(Block::Local(..) | Block::Moves, _) => {
-                match result.locals.iter_mut().find(|(at, _)| *at == event.level) {
-                    Some((_, dims)) => dims.add(event),
-                    None => {
-                        let mut dims = LocalDims::default();
-                        dims.add(event);
-                        result.locals.push((event.level, dims));
-                    }
+            EventKind::Dim(Block::Local(..), _) => match result.locals.iter_mut().find(|(at, _)| *at == event.level) {
+                Some((_, dims)) => dims.add(event),
+                None => {
+                    let mut dims = LocalDims::default();
+                    dims.add(event);
+                    result.locals.push((event.level, dims));
                 }
-            }
+            },
             EventKind::Clear => result.managed |= event.level == Level::System,
             _ => {}
         }
@@ -164,7 +162,7 @@ impl Player {
     fn immediate(&mut self, part: &Part<'_>, site: (u32, u32), event: &Event) {
         match (event.kind, event.level) {
             (EventKind::Dim(Block::System(block), size), Level::System) => self.dim_system(site, event, block, size),
-            (EventKind::Dim(block @ (Block::Local(..) | Block::Moves), size), level) if level != Level::System => {
+            (EventKind::Dim(block @ Block::Local(..), size), level) if level != Level::System => {
                 let mut state = self.result.prompt.remove(&level).unwrap_or_default();
                 self.dim_local(&mut state, site, event.certain, block, size);
                 self.result.prompt.insert(level, state);
@@ -175,7 +173,7 @@ impl Player {
                 forget(self.result.prompt.entry(level).or_default(), event.certain);
             }
             (EventKind::ClearMoves, level) => {
-                self.result.prompt.entry(level).or_default().blocks.remove(&Block::Moves);
+                forget_moves(self.result.prompt.entry(level).or_default(), event.certain);
             }
             (EventKind::Install(section), level) => {
                 self.install(part, site.0, section, level, 0);
@@ -300,8 +298,9 @@ impl Player {
         for (place, event) in (first..).zip(own) {
             match event.kind {
                 EventKind::Clear => forget(&mut state, event.certain),
-                EventKind::Dim(block @ (Block::Local(..) | Block::Moves), size) => {
-                    if !clears && last.is_none() && block != Block::Moves {
+                EventKind::ClearMoves => forget_moves(&mut state, event.certain),
+                EventKind::Dim(block @ Block::Local(..), size) => {
+                    if !clears && last.is_none() && block != Block::MOVES {
                         self.report((file, place), IssueKind::NotCleared(block));
                     }
                     last = Some(place);

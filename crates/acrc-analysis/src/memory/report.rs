@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use acrc_catalog::memory::{LocalBlock, SystemBlock};
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Model, OperandClass, command};
 use acrc_image::{Image, ImageError, Instruction, Node, TextCost, Unit, UnitName};
 use acrc_syntax::units::Level;
@@ -288,7 +288,7 @@ impl Running {
         match event.kind {
             EventKind::Clear if event.certain => self.blocks.clear(),
             EventKind::ClearMoves if event.certain => {
-                self.blocks.remove(&Block::Moves);
+                self.blocks.remove(&Block::MOVES);
             }
             EventKind::Dim(Block::System(_), _) => {}
             EventKind::Dim(block, size) => {
@@ -369,11 +369,7 @@ impl Allocation {
     pub fn name(&self) -> String {
         let number = |value: Option<u64>| value.map_or_else(|| "?".to_owned(), |value| value.to_string());
         let count = number(self.size.count);
-        let text = matches!(
-            self.block,
-            Block::Local(LocalBlock::Variables(OperandClass::StringV) | LocalBlock::Array(OperandClass::StringA), _)
-        );
-        if text {
+        if matches!(self.block, Block::Local(local, _) if local.has_length()) {
             format!("{}({count}, {})", self.block, number(self.size.length))
         } else {
             format!("{}({count})", self.block)

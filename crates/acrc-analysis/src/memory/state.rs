@@ -57,7 +57,6 @@ impl LocalState {
 pub(super) fn local_bytes(block: Block, size: Size) -> Option<u64> {
     match block {
         Block::Local(local, _) => Some(local.bytes(size.count?, size.length?)),
-        Block::Moves => Some(memory::MOVES.bytes(size.count?, 0)),
         Block::System(_) => None,
     }
 }
@@ -66,6 +65,15 @@ pub(super) fn local_bytes(block: Block, size: Size) -> Option<u64> {
 pub(super) fn forget(state: &mut LocalState, certain: bool) {
     if certain {
         *state = LocalState::default();
+    } else {
+        state.unknown = true;
+    }
+}
+
+/// `CLEAR MBUF` of a program.
+pub(super) fn forget_moves(state: &mut LocalState, certain: bool) {
+    if certain {
+        state.blocks.remove(&Block::MOVES);
     } else {
         state.unknown = true;
     }

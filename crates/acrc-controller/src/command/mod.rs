@@ -6,6 +6,7 @@ mod arcs;
 mod arguments;
 mod attach;
 mod axis;
+mod buffer;
 mod channel;
 mod curves;
 mod follow;
@@ -42,6 +43,7 @@ use crate::program::Alarm;
 use crate::request::{Origin, Query, Request};
 use crate::terminal::ChannelId;
 
+pub(crate) use buffer::UNBUFFERED;
 pub(crate) use curves::{CUBIC, Curve};
 pub(crate) use io::deliver;
 pub(crate) use timebase::TimeBase;
@@ -60,6 +62,8 @@ pub(crate) struct Context<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// When the lines of the program are executed.
     pub(crate) pace: Pace,
+    /// Moves that the move buffer of the program holds.
+    pub(crate) moves: u32,
     /// What has been touched.
     pub(crate) footprint: Footprint,
     /// The command is typed or setup code, not part of a running program.
@@ -90,6 +94,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
     let tables = [
         attach::COMMANDS,
         axis::COMMANDS,
+        buffer::COMMANDS,
         channel::COMMANDS,
         curves::COMMANDS,
         follow::COMMANDS,

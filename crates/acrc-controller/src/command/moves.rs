@@ -36,7 +36,7 @@ fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     if context.machine.masters[master].ahead.curve.is_some() {
         return context.point(call, master);
     }
-    if !context.machine.masters[master].profiler.can_accept() {
+    if !context.takes_move(master) {
         return Ok(Outcome::Again);
     }
     let mut next = context.statement(call, call.arguments)?;

@@ -91,7 +91,7 @@ fn config_clear(context: &mut Context) {
 }
 
 fn dimensions(context: &mut Context) {
-    context.ask(Query::Dimensions);
+    context.ask(Query::Dimensions(command::DIM));
 }
 
 fn free_memory(context: &mut Context) {

@@ -43,6 +43,16 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::DIM_COM2, Action::Run(dimension)),
     (command::DIM_FIFO, Action::Run(dimension)),
     (command::DIM_DPCB, Action::Run(dimension)),
+    // With a size these are executed by the VM.
+    (command::DIM_LV, Action::Run(dimension)),
+    (command::DIM_SV, Action::Run(dimension)),
+    (command::DIM_DV, Action::Run(dimension)),
+    (command::DIM_STRING_V, Action::Run(dimension)),
+    (command::DIM_LA, Action::Run(dimension)),
+    (command::DIM_SA, Action::Run(dimension)),
+    (command::DIM_DA, Action::Run(dimension)),
+    (command::DIM_STRING_A, Action::Run(dimension)),
+    (command::DIM_MBUF, Action::Run(dimension)),
     (command::CLEAR_COM1, Action::Run(clear_stream)),
     (command::CLEAR_COM2, Action::Run(clear_stream)),
     (command::CLEAR_FIFO, Action::Run(clear_stream)),
@@ -143,7 +153,7 @@ fn clear(context: &mut Context, _: &Call) -> Result<Outcome, ControllerError> {
 fn dimension(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     if call.arguments.is_empty() {
-        context.ask(Query::Dimensions);
+        context.ask(Query::Dimensions(call.command));
         return Ok(Outcome::Done);
     }
     context.system_level(call)?;

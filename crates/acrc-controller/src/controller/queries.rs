@@ -2,7 +2,7 @@
 //! what they report.
 
 use acrc_catalog::memory::SystemBlock;
-use acrc_catalog::{OperandClass, command, law};
+use acrc_catalog::{CommandId, command, law};
 use acrc_image::list::{ListOptions, list_instructions};
 use acrc_image::{Alias, Instruction, Node, Separator};
 use acrc_syntax::units::Level;
@@ -19,7 +19,7 @@ impl Controller {
     pub(super) fn answer(&mut self, query: Query, origin: Origin, observer: &mut dyn Observer) {
         let lines = match query {
             Query::List { first, last } => self.listing(origin.level, first, last),
-            Query::Dimensions => self.dimensions(origin.level),
+            Query::Dimensions(dim) => self.dimensions(origin.level, dim),
             Query::FreeMemory => vec![self.free_memory(origin.level).to_string()],
             Query::Aliases => self.aliases.known().filter_map(definition).collect(),
         };
@@ -42,12 +42,17 @@ impl Controller {
         lines.map(|line| line.listed(with_numbers)).collect()
     }
 
-    /// The allocations of a level.
-    fn dimensions(&self, level: Level) -> Vec<String> {
-        match Task::at(level) {
+    /// The allocations of a level; of a daughter of `DIM` only those that it makes.
+    fn dimensions(&self, level: Level, dim: CommandId) -> Vec<String> {
+        let mut lines: Vec<String> = match Task::at(level) {
             Some(task) => self.program(task).locals.dimensions().iter().map(local_dimension).collect(),
             None => self.machine.memory.blocks().map(system_dimension).collect(),
+        };
+        if dim != command::DIM {
+            let own = |rest: &str| rest.starts_with(|next: char| next == '(' || next.is_ascii_digit());
+            lines.retain(|line| line.strip_prefix(dim.info().name).is_some_and(own));
         }
+        lines
     }
 
     /// Bytes that are free at a level.
@@ -66,12 +71,10 @@ fn system_dimension((block, bytes): (SystemBlock, u32)) -> String {
 }
 
 fn local_dimension(dimension: &Dimension) -> String {
-    let Dimension { class, array, count, length, .. } = *dimension;
-    let name = class.name();
+    let Dimension { block, array, count, length, .. } = *dimension;
     let array = array.map_or_else(String::new, |number| number.to_string());
-    let has_length = matches!(class, OperandClass::StringV) || class == OperandClass::StringA && !array.is_empty();
-    let length = if has_length { format!(", {length}") } else { String::new() };
-    format!("DIM {name}{array}({count}{length})")
+    let length = if block.has_length() { format!(", {length}") } else { String::new() };
+    format!("DIM {}{array}({count}{length})", block.word())
 }
 
 /// The `#DEFINE` of an alias.

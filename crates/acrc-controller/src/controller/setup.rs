@@ -103,6 +103,7 @@ impl Immediate<'_> {
             alarm: self.alarm,
             observer,
             pace,
+            moves: locals.moves(),
             footprint: Footprint::default(),
             immediate: true,
             channel: self.channel,

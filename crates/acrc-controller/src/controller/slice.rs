@@ -168,6 +168,7 @@ impl Controller {
             alarm: &mut program.alarm,
             observer,
             pace,
+            moves: program.locals.moves(),
             footprint: Footprint::default(),
             immediate: false,
             channel: None,

@@ -15,6 +15,48 @@ fn one_move_waits_and_the_next_statement_of_a_move_blocks() {
 }
 
 #[test]
+fn a_move_buffer_takes_as_many_moves_as_it_has_memory_for() {
+    let moves = "MBUF ON\nX10\nX20\nX30\nX40\nPRINT 4\nX50\nPRINT 5";
+    assert_eq!(Sim::program(&format!("DIM MBUF(3)\n{moves}")).timed(), ["2 4", "1100 5"]);
+    assert_eq!(Sim::program(moves).timed(), ["2200 4", "3300 5"], "without memory one move waits");
+    let idle = format!("DIM MBUF(3)\n{moves}").replace("MBUF ON", "MBUF OFF");
+    assert_eq!(Sim::program(&idle).timed(), ["2200 4", "3300 5"]);
+}
+
+#[test]
+fn a_move_buffer_that_goes_leaves_its_moves() {
+    for gone in ["CLEAR MBUF", "CLEAR", "MBUF OFF"] {
+        let text = format!("DIM MBUF(3)\nMBUF ON\nX10\nX20\nX30\nX40\n{gone}\nX50\nPRINT 5\nINH -516\nPRINT P12290");
+        // The fifth move gets room when the fourth one has begun.
+        let ran = Sim::program(&text).run().clean();
+        let lines: Vec<_> = ran.record.output.iter().map(|line| (line.milliseconds, &*line.text)).collect();
+        assert_eq!(lines, [(3300.0, "5"), (5500.0, "50")], "{gone}");
+    }
+}
+
+#[test]
+fn a_move_buffer_that_grows_lets_a_waiting_program_go_on() {
+    let setup = "PROG0\nDIM MBUF(2)\nMBUF ON\n";
+    let text = format!("{TWO_AXES}{setup}PROGRAM\nX10\nX20\nX30\nX40\nPRINT 4\nENDP\n");
+    assert_eq!(Sim::new(&text).start(&[0]).timed(), ["1100 4"]);
+    let world = "[[event]]\nat = 0.5\nstream = \"COM1\"\ntext = \"PROG0\\rCLEAR MBUF : DIM MBUF(4)\\r\"\n";
+    let ran = Sim::new(&text).start(&[0]).world(world).run().clean();
+    let printed = ran.record.output.iter().find(|line| line.text == "4").expect("it is printed");
+    assert!((500.0..520.0).contains(&printed.milliseconds), "{printed:?}");
+}
+
+#[test]
+fn the_buffer_of_a_master_is_that_of_its_program() {
+    let text = format!(
+        "{TWO_AXES}DIM MBUF(3)\nPROGRAM\nDWL 0.1\nX10\nX20\nX30\nPRINT 3\nENDP\nPROG1\nPROGRAM\nMASTER0 MBUF ON\nENDP\n"
+    );
+    assert_eq!(Sim::new(&text).start(&[0, 1]).timed(), ["101 3"]);
+    assert_eq!(Sim::program("DIM MBUF(-1)").faults(), ["DIM cannot give -1 elements"]);
+    assert_eq!(Sim::program("DIM MBUF(1)\nDIM MBUF(1)").faults(), ["Re-dimensioned block"]);
+    assert_eq!(Sim::new("PROG1\nPROGRAM\nMBUF ON\nENDP\n").start(&[1]).faults().len(), 1, "it has no master");
+}
+
+#[test]
 fn flags_change_when_they_are_reached_and_not_when_motion_ends() {
     let ran = Sim::program("X10\nSET 32\nINH -516\nCLR 32").until(0.5).run().clean();
     assert!(ran.bit(32) && ran.bit(516));

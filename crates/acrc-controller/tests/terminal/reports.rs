@@ -53,6 +53,38 @@ fn buffers_of_streams() {
 }
 
 #[test]
+fn one_kind_of_memory() {
+    let mut desk = Desk::machine();
+    for line in ["DIM LV(4)", "DIM LA(2)", "DIM LA0(10)", "DIM $V(3, 20)"] {
+        assert_eq!(desk.ask(line), "", "{line}");
+    }
+    assert_eq!(desk.ask("DIM LA"), "DIM LA(2)\r\nDIM LA0(10)\r\n");
+    assert_eq!(desk.ask("DIM LV"), "DIM LV(4)\r\n");
+    assert_eq!(desk.ask("DIM MBUF"), "");
+    desk.send("SYS\r");
+    assert_eq!(desk.ask("DIM P(10) : DIM P"), "DIM P(10)\r\n");
+}
+
+#[test]
+fn the_move_buffer() {
+    let mut desk = Desk::machine();
+    let free: u32 = desk.ask("MEM").trim().parse().expect("a number");
+    assert_eq!(desk.ask("DIM MBUF(10)"), "");
+    assert_eq!(desk.ask("DIM MBUF"), "DIM MBUF(10)\r\n");
+    assert_eq!(desk.ask("MEM"), format!("{}\r\n", free - 10 * 136));
+    assert_eq!(desk.ask("DIM MBUF(5)"), "Re-dimensioned block\r\n");
+    assert_eq!(desk.ask("CLEAR MBUF"), "");
+    assert_eq!(desk.ask("MEM"), format!("{free}\r\n"));
+    let most = free / 136;
+    let refused = desk.ask(&format!("DIM MBUF({})", most + 1));
+    assert_eq!(
+        refused,
+        format!("{} bytes do not fit into the {free} bytes that the program has left\r\n", (most + 1) * 136)
+    );
+    assert_eq!(desk.ask(&format!("DIM MBUF({most}) : CLEAR : DIM MBUF(2)")), "");
+}
+
+#[test]
 fn memory_of_a_program() {
     let mut desk = Desk::machine();
     for line in ["DIM LV(4)", "DIM $V(3, 20)", "DIM LA(2)", "DIM LA0(10)", "DIM $A(1)", "DIM $A0(5, 8)"] {

@@ -1,6 +1,6 @@
 //! Statements: everything that the machine executes by itself; the rest goes to the host.
 
-use acrc_catalog::OperandClass;
+use acrc_catalog::{OperandClass, command};
 use acrc_image::{Instruction, Mark, Node, Separator};
 
 use super::blocks::Role;
@@ -81,7 +81,12 @@ impl Loader<'_> {
             Own::Branch => self.branch(instruction),
             Own::Flag(state) => self.set_flag(instruction, state),
             // Without a size it reports.
-            Own::Dim(_) if instruction.items.is_empty() => self.command(instruction),
+            Own::Moves if instruction.command == command::CLEAR_MBUF => {
+                self.emit(Op::ClearMoves);
+                Ok(())
+            }
+            Own::Dim(_) | Own::Moves if instruction.items.is_empty() => self.command(instruction),
+            Own::Moves => self.dim(DimBlock::Moves, instruction),
             Own::Dim(class) => self.dim(dim_block(class, instruction), instruction),
             Own::Clear => {
                 self.command(instruction)?;
@@ -117,7 +122,7 @@ impl Loader<'_> {
         self.command(instruction)
     }
 
-    /// `DIM` of local variables and arrays.
+    /// `DIM` of local variables, arrays and moves.
     fn dim(&mut self, block: DimBlock, instruction: &Instruction) -> Result<(), LoadErrorKind> {
         let mut slots = Vec::with_capacity(instruction.items.len());
         for item in &instruction.items {

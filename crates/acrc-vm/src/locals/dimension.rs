@@ -1,4 +1,4 @@
-//! `DIM` of local variables and the bytes it takes (guide, "How Much Memory?").
+//! `DIM` of local variables and of the move buffer, and the bytes it takes (guide, "How Much Memory?").
 
 use acrc_catalog::OperandClass;
 /// What a `DIM` statement allocates.
@@ -13,7 +13,7 @@ use crate::op::SCRATCH;
 pub(crate) struct Sizes {
     /// Number of the array.
     pub(crate) array: i32,
-    /// How many variables, references or elements.
+    /// How many variables, references, elements or moves.
     pub(crate) count: i32,
     /// Characters of each string.
     pub(crate) length: i32,
@@ -22,11 +22,11 @@ pub(crate) struct Sizes {
 /// One allocation, as the report of `DIM` shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
-    /// Class of the variables.
-    pub class: OperandClass,
-    /// Number of the array; `None` for plain variables and for the references of the class.
+    /// What it is.
+    pub block: DimBlock,
+    /// Number of the array; `None` for everything else.
     pub array: Option<u32>,
-    /// How many variables, references or elements.
+    /// How many variables, references, elements or moves.
     pub count: u32,
     /// Characters of each string; 0 for numbers.
     pub length: u32,
@@ -56,6 +56,7 @@ impl Locals {
     /// Refuses a block that has its memory already.
     fn check_free(&mut self, block: DimBlock, array: i64) -> Result<(), FaultKind> {
         let taken = match block {
+            DimBlock::Moves => self.moves.is_some(),
             DimBlock::Variables(OperandClass::Lv) => self.dimensioned.longs,
             DimBlock::Variables(OperandClass::Sv) => self.dimensioned.singles,
             DimBlock::Variables(OperandClass::Dv) => self.dimensioned.doubles,
@@ -74,6 +75,7 @@ impl Locals {
 
     fn allocate(&mut self, block: DimBlock, array: i64, count: usize, length: usize) -> Result<(), FaultKind> {
         match block {
+            DimBlock::Moves => self.moves = Some(count as u32),
             DimBlock::Variables(OperandClass::Lv) => {
                 self.longs.resize(SCRATCH + count, 0);
                 self.dimensioned.longs = true;
@@ -99,7 +101,7 @@ impl Locals {
         Ok(())
     }
 
-    /// Every allocation, in the order `LV SV DV $V LA SA DA $A`, each class of arrays followed by its arrays.
+    /// Every allocation, in the order `LV SV DV $V LA SA DA $A MBUF`, each class of arrays followed by its arrays.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let mut all = Vec::new();
         let scalars = [
@@ -117,6 +119,7 @@ impl Locals {
         list_arrays(&mut all, OperandClass::Sa, &self.single_arrays);
         list_arrays(&mut all, OperandClass::Da, &self.double_arrays);
         list_arrays(&mut all, OperandClass::StringA, &self.text_arrays);
+        all.extend(self.moves.map(|moves| Dimension::new(DimBlock::Moves, None, moves, 0)));
         all
     }
 }
@@ -124,7 +127,7 @@ impl Locals {
 impl Dimension {
     fn new(block: DimBlock, array: Option<u32>, count: u32, length: usize) -> Self {
         let bytes = block.bytes(u64::from(count), length as u64);
-        Self { class: block.class(), array, count, length: length as u32, bytes }
+        Self { block, array, count, length: length as u32, bytes }
     }
 }
 

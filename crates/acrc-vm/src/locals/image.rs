@@ -26,6 +26,8 @@ pub struct LocalsImage {
     pub double_arrays: Option<Vec<Option<Vec<f64>>>>,
     /// `$A`
     pub text_arrays: Option<Vec<Option<TextsImage>>>,
+    /// Moves that the move buffer holds.
+    pub moves: Option<u32>,
 }
 
 /// Strings of one dimensioned length.
@@ -79,6 +81,7 @@ impl Locals {
             single_arrays: references(&self.single_arrays, |block| block.items.clone()),
             double_arrays: references(&self.double_arrays, |block| block.items.clone()),
             text_arrays: references(&self.text_arrays, texts),
+            moves: self.moves,
         }
     }
 
@@ -102,6 +105,7 @@ impl Locals {
         locals.single_arrays.restore(image.single_arrays, numbers_block);
         locals.double_arrays.restore(image.double_arrays, numbers_block);
         locals.text_arrays.restore(image.text_arrays, texts_block);
+        locals.moves = image.moves;
         locals.used = locals.dimensions().iter().map(|dimension| dimension.bytes).sum();
         if locals.used > limit {
             return Err(RestoreError::OutOfMemory { needed: locals.used, limit });

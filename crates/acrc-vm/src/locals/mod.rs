@@ -1,4 +1,4 @@
-//! Local variables of one program, and their memory (guide, "Variable Memory Allocation" and "How Much Memory?").
+//! Local variables of one program and the size of its move buffer, and their memory (guide, "Variable Memory Allocation" and "How Much Memory?").
 //!
 //! They are kept apart from the code of the program, because statements that are typed at the program's prompt use the
 //! same variables.
@@ -47,6 +47,8 @@ pub struct Locals {
     /// `$A`
     pub(crate) text_arrays: Arrays<Text>,
     dimensioned: Dimensioned,
+    /// Moves that the move buffer holds (`DIM MBUF`).
+    moves: Option<u32>,
 }
 
 /// Which of the numeric variables have their memory.
@@ -59,7 +61,7 @@ struct Dimensioned {
 
 impl Locals {
     /// No variables, and `limit` bytes for variables and calls together: what `DIM PROG` gave the program, less its
-    /// stored text and its move buffer.
+    /// stored text.
     pub fn new(limit: u64) -> Self {
         Self {
             limit,
@@ -73,6 +75,7 @@ impl Locals {
             double_arrays: Arrays::new(OperandClass::Da),
             text_arrays: Arrays::new(OperandClass::StringA),
             dimensioned: Dimensioned::default(),
+            moves: None,
         }
     }
 
@@ -96,6 +99,18 @@ impl Locals {
         *self = Self::new(self.limit);
     }
 
+    /// `CLEAR MBUF`: the move buffer is gone.
+    pub(crate) fn clear_moves(&mut self) {
+        if let Some(moves) = self.moves.take() {
+            self.used -= DimBlock::Moves.bytes(u64::from(moves), 0);
+        }
+    }
+
+    /// How many moves the move buffer holds; 0 without memory.
+    pub fn moves(&self) -> u32 {
+        self.moves.unwrap_or(0)
+    }
+
     /// Whether every variable has the same value, to the bit.
     pub(crate) fn equals(&self, other: &Self) -> bool {
         // Numbers first: they tell programs that go on from those that do not.
@@ -103,6 +118,7 @@ impl Locals {
             && same(&self.doubles, &other.doubles, |left, right| left.to_bits() == right.to_bits())
             && same(&self.singles, &other.singles, |left, right| left.to_bits() == right.to_bits())
             && self.used == other.used
+            && self.moves == other.moves
             && self.texts.equals(&other.texts, Text::eq)
             && self.long_arrays.equals(&other.long_arrays, i32::eq)
             && self.single_arrays.equals(&other.single_arrays, |left, right| left.to_bits() == right.to_bits())

@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::fault::FaultKind;
 use crate::frame::Frame;
 use crate::host::Host;
-use crate::locals::{Locals, Sizes};
+use crate::locals::{DimBlock, Locals, Sizes};
 use crate::op::{DeviceQuery, Op, Slot};
 use crate::text::Text;
 use crate::value::Value;
@@ -56,8 +56,18 @@ pub(super) fn slow<H: Host>(
             let sizes =
                 Sizes { array: long(locals, array)?, count: long(locals, count)?, length: long(locals, length)? };
             locals.dimension(block, sizes, frame.memory())?;
+            if block == DimBlock::Moves {
+                host.move_buffer(locals.moves());
+            }
         }
-        Op::Clear => locals.clear(),
+        Op::Clear => {
+            locals.clear();
+            host.move_buffer(0);
+        }
+        Op::ClearMoves => {
+            locals.clear_moves();
+            host.move_buffer(0);
+        }
         _ => {}
     }
     frame.pc += 1;

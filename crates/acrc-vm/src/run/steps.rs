@@ -347,6 +347,7 @@ pub(super) fn steps<H: Host>(
             | Op::StoreElement { .. }
             | Op::Dim { .. }
             | Op::Clear
+            | Op::ClearMoves
             | Op::Call { .. } => break Ok(Exit::Slow),
         }
         pc += 1;

@@ -36,7 +36,7 @@ fn check(context: &mut Context<'_>) {
         };
         let help = match block {
             Block::System(_) => "CLEAR at the SYS prompt comes first; NEW ALL before it erases the programs",
-            Block::Local(..) | Block::Moves => "CLEAR before it frees the variables of the program",
+            Block::Local(..) => "CLEAR before it frees the variables of the program",
         };
         let message = format!("Re-dimensioned block: {block} {has}");
         context.report(RULE.at(sites::span(context, site), message).with_help(help));

@@ -1,0 +1,34 @@
+//! The move buffer of a program: `DIM MBUF` gives it memory, `MBUF ON` lets the program's master use it (guide, "How Much Memory?" and
+//! "Velocity Profile").
+
+use acrc_catalog::command;
+use acrc_vm::{Call, Outcome};
+
+use super::{Action, Context, Entry};
+use crate::error::ControllerError;
+
+pub(super) const COMMANDS: &[Entry] =
+    &[(command::MBUF_ON, Action::Run(switch)), (command::MBUF_OFF, Action::Run(switch))];
+
+/// Moves that may wait behind the running one without a move buffer.
+pub(crate) const UNBUFFERED: u32 = 1;
+
+/// `MBUF ON`, `MBUF OFF`. Moves that wait already are executed whatever is switched.
+fn switch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = context.master(call)?;
+    context.machine.masters[master].buffered = call.command == command::MBUF_ON;
+    Ok(Outcome::Done)
+}
+
+impl Context<'_> {
+    /// Whether the master of the program takes another move now.
+    pub(super) fn takes_move(&mut self, master: usize) -> bool {
+        let master = &mut self.machine.masters[master];
+        let depth = if master.buffered { self.moves.max(UNBUFFERED) } else { UNBUFFERED };
+        if depth > master.places {
+            master.profiler.set_queue_capacity(depth as usize);
+            master.places = depth;
+        }
+        master.profiler.can_accept() && master.profiler.waiting() < depth as usize
+    }
+}
