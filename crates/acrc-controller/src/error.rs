@@ -1,6 +1,6 @@
 //! What the controller refuses, with the texts of the controller where they are known (`docs/fidelity.md`, error texts).
 
-use acrc_catalog::{CommandId, MessageId};
+use acrc_catalog::{CommandId, MessageId, command};
 use acrc_image::UnitName;
 use acrc_vm::FaultKind;
 use thiserror::Error;
@@ -222,11 +222,20 @@ pub enum ControllerError {
     #[error(transparent)]
     Device(#[from] DeviceError),
     /// A command that this dry run does not execute.
-    #[error("{} is not simulated", .0.info().name)]
+    #[error("{}", not_simulated(*.0))]
     NotSimulated(CommandId),
     /// A statement that the VM refuses.
     #[error(transparent)]
     Program(FaultKind),
+}
+
+/// What is said of a command that the dry run does not execute.
+pub(crate) fn not_simulated(command: CommandId) -> String {
+    let name = command.info().name;
+    match command {
+        command::DTALK => format!("{name} is not simulated: a dry run has no drive that could answer"),
+        _ => format!("{name} is not simulated"),
+    }
 }
 
 impl From<ControllerError> for FaultKind {

@@ -5,11 +5,13 @@ use acrc_image::{Image, Node, Unit, UnitName};
 use thiserror::Error;
 
 use super::Controller;
+use super::starts::reached;
 use crate::command::supported;
+use crate::error::not_simulated;
 
 /// A command in the image that the dry run does not execute.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[error("{} is not simulated", .command.info().name)]
+#[error("{}", not_simulated(*.command))]
 pub struct Unsupported {
     /// The command.
     pub command: CommandId,
@@ -22,15 +24,14 @@ pub struct Unsupported {
 }
 
 impl Controller {
-    /// The commands of setup code, of the given programs, and of the PLC programs that start by themselves, that this controller does not execute.
-    pub fn unsupported(image: &Image, programs: &[u8]) -> Vec<Unsupported> {
-        let wanted = |unit: &&Unit| match unit.name {
-            UnitName::Program(number) => programs.contains(&number),
-            UnitName::Plc(_) => Self::boots_as_plc(unit),
-            UnitName::Boot => false,
-        };
+    /// The commands that this controller does not execute: of setup code, of the given programs and PLC programs, of the PLC programs that start by
+    /// themselves, and of whatever one of these starts.
+    pub fn unsupported(image: &Image, programs: &[u8], plcs: &[u8]) -> Vec<Unsupported> {
+        let booting = image.programs.iter().filter(|unit| Self::boots_as_plc(unit)).map(|unit| unit.name);
+        let programs = programs.iter().copied().map(UnitName::Program);
+        let first = programs.chain(plcs.iter().copied().map(UnitName::Plc)).chain(booting);
         let mut found = Vec::new();
-        for unit in std::iter::once(&image.boot).chain(image.programs.iter().filter(wanted)) {
+        for unit in std::iter::once(&image.boot).chain(reached(image, first)) {
             for instruction in unit.decode().unwrap_or_default() {
                 let parts = instruction.items.iter().filter_map(|item| match item.node {
                     Node::Interpolation(command) => Some(command),

@@ -12,6 +12,7 @@ mod scan;
 mod setup;
 mod skip;
 mod slice;
+mod starts;
 mod streams;
 mod terminal;
 mod view;

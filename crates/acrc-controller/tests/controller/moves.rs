@@ -188,7 +188,7 @@ fn a_weight_belongs_to_the_attachment() {
 fn kinds_of_moves_that_are_not_simulated_are_known_before_the_run() {
     for (statement, name) in [("MAXVEL X5", "MAXVEL"), ("MSEEK X(1, 0)", "MSEEK")] {
         let image = Sim::program(statement).image();
-        let found = acrc_controller::Controller::unsupported(&image, &[0]);
+        let found = acrc_controller::Controller::unsupported(&image, &[0], &[]);
         let found: Vec<_> = found.iter().map(|item| (item.command.info().name, item.line)).collect();
         assert_eq!(found, [(name, Some(9))]);
     }

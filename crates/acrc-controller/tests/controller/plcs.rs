@@ -143,3 +143,39 @@ fn what_is_not_documented_is_said_once() {
     ];
     assert_eq!(notes, wanted);
 }
+
+/// Units and lines of the commands that keep a run from beginning.
+fn refused(text: &str, programs: &[u8], plcs: &[u8]) -> Vec<(String, u32)> {
+    let image = Sim::new(text).image();
+    let found = acrc_controller::Controller::unsupported(&image, programs, plcs);
+    found.iter().map(|item| (item.unit.to_string(), item.line.expect("the text is known"))).collect()
+}
+
+#[test]
+fn what_a_run_may_start_is_looked_at_before_it() {
+    // Line 4 of PLC1 cannot be executed, and nobody starts it; what is put in front moves it down.
+    let plc = |before: &str, behind: &str| {
+        format!("{before}SYS\nPLC1\nPROGRAM\nDTALK AXIS0\nENDP\nPROG0\nPROGRAM\n{behind}\nENDP\n")
+    };
+    assert_eq!(refused(&plc("", "SET 32"), &[0], &[]), []);
+    assert_eq!(refused(&plc("", "SET 32"), &[0], &[1]), [("PLC1".to_owned(), 4)], "named by the project");
+    for start in ["RUN PLC1", "RUN ALL", "SET 1576", "BIT 1576 = 1", "IF (BIT 24) THEN RUN PLC1"] {
+        assert_eq!(refused(&plc("", start), &[0], &[]), [("PLC1".to_owned(), 4)], "{start}");
+        assert_eq!(refused(&plc("", start), &[], &[]), [], "{start} in a program that nobody starts");
+    }
+    for setup in ["RUN PLC1", "RUN ALL", "PLC1 : RUN", "LRUN PLC1", "SET 1576", "#DEFINE Ladder BIT1576\nSET Ladder"] {
+        let line = 4 + setup.lines().count() as u32;
+        assert_eq!(refused(&plc(&format!("{setup}\n"), "SET 32"), &[], &[]), [("PLC1".to_owned(), line)], "{setup}");
+    }
+    assert_eq!(refused(&plc("RUN PLC2 : PROG0 : RUN\n", "SET 32"), &[], &[]), []);
+}
+
+#[test]
+fn what_programs_start_is_followed() {
+    let text = "PROG0\nPROGRAM\nRUN PROG1\nENDP\nPROG1\nPROGRAM\nRUN PROG2\nRUN PROG0\nENDP\nPROG2\nPROGRAM\nPBOOT\nDTALK AXIS0\nENDP\n";
+    assert_eq!(refused(text, &[0], &[]), [("PROG2".to_owned(), 13)]);
+    assert_eq!(refused(&text.replace("RUN PROG2", "RUN PROG3"), &[0], &[]), []);
+    for all in ["PBOOT", "REBOOT"] {
+        assert_eq!(refused(&format!("{all}\n{text}"), &[], &[]), [("PROG2".to_owned(), 14)], "{all}");
+    }
+}

@@ -55,7 +55,7 @@ fn only_the_listed_commands_are_refused() {
         let image = bench::image(&listing.project(), &listing.model);
         assert_eq!(image.is_err(), BROKEN.contains(&listing.number), "{}: {:?}", listing.name, image.err());
         let Ok(image) = image else { continue };
-        let unsupported = Controller::unsupported(&image, &all);
+        let unsupported = Controller::unsupported(&image, &all, &[]);
         let mut names: Vec<&str> = unsupported.iter().map(|refused| refused.command.info().name).collect();
         names.sort_unstable();
         names.dedup();

@@ -136,7 +136,7 @@ fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorCho
     }
     let plcs = plcs_to_start(project, &image)?;
     let (start, mut notes) = programs_to_start(arguments, project, &image)?;
-    refuse_unsupported(&image, &start)?;
+    refuse_unsupported(&image, &start, &plcs)?;
     let until = arguments.until.or(project.config.sim.until.map(|time| time.0.as_secs_f64())).unwrap_or(DEFAULT_UNTIL);
     let errors: usize = errors_of(check(project)).iter().map(Vec::len).sum();
     if errors > 0 {
@@ -179,7 +179,7 @@ fn kept_programs_to_start(arguments: &SimArguments, controller: &Controller, ima
             bail!("PROG{missing} has no text in the controller");
         }
     }
-    refuse_unsupported(&stored, &start)?;
+    refuse_unsupported(&stored, &start, &[])?;
     Ok(start)
 }
 
@@ -301,8 +301,8 @@ fn list(programs: &[u8]) -> String {
 }
 
 /// A run that would have to leave something out does not begin.
-fn refuse_unsupported(image: &Image, start: &[u8]) -> anyhow::Result<()> {
-    let unsupported = Controller::unsupported(image, start);
+fn refuse_unsupported(image: &Image, start: &[u8], plcs: &[u8]) -> anyhow::Result<()> {
+    let unsupported = Controller::unsupported(image, start, plcs);
     if unsupported.is_empty() {
         return Ok(());
     }
