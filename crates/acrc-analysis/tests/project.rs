@@ -95,7 +95,7 @@ fn a_description_without_files_finds_them_beside_it_and_in_src() {
 #[test]
 fn a_description_says_everything() {
     let config = "[project]\nmodel = \"acr8020\"\nfiles = [\"b.8K\", \"a/Prog0.8K\"]\n\
-                  [sim]\nworld = \"world.toml\"\nrun = [\"PROG0\", \"PLC3\"]\nuntil = \"1.5min\"\n\
+                  [sim]\nworld = \"world.toml\"\nrun = [\"PROG0\", \"PLC3\"]\nuntil = \"1.5min\"\nplc-scan = \"5ms\"\n\
                   [lint]\nfail-on = \"warning\"\n";
     let place = Place::new(&[("acrc.toml", config), ("b.8K", ""), ("a/Prog0.8K", ""), ("unlisted.8K", "")]);
     let project = place.load().expect("a project");
@@ -103,6 +103,7 @@ fn a_description_says_everything() {
     assert_eq!(project.model.name, "ACR8020");
     assert_eq!(project.config.sim.run, Some(vec![RunTarget(Level::Program(0)), RunTarget(Level::Plc(3))]));
     assert_eq!(project.config.sim.until, Some(SimTime(std::time::Duration::from_secs(90))));
+    assert_eq!(project.config.sim.plc_scan, Some(SimTime(std::time::Duration::from_millis(5))));
     assert_eq!(project.config.lint.fail_on, Some(FailOn::Warning));
 }
 
@@ -140,6 +141,7 @@ fn errors_name_the_path_and_the_reason() {
         case("no time", &[("acrc.toml", "[sim]\nuntil = \"soon\"\n")]),
         case("no time either", &[("acrc.toml", "[sim]\nuntil = -1\n")]),
         case("no time at all", &[("acrc.toml", "[sim]\nuntil = true\n")]),
+        case("no scan", &[("acrc.toml", "[sim]\nplc-scan = \"0ms\"\n")]),
         case("nothing listed", &[("acrc.toml", "[project]\nfiles = []\n"), ("Prog0.8K", "")]),
         case("listed and missing", &[("acrc.toml", "[project]\nfiles = [\"a.8K\"]\n")]),
         case("outside", &[("acrc.toml", "[project]\nfiles = [\"../machine/../machine/../..\"]\n")]),

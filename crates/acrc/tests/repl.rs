@@ -36,6 +36,20 @@ fn stored_programs_wait_for_run() {
 }
 
 #[test]
+fn a_terminal_starts_what_power_up_starts_and_no_more() {
+    let bench = Bench::new();
+    bench.file(
+        "machine/Setup.8K",
+        "SYS\nDIM P(1)\nDIM PLC1(400)\nPLC1\nPROGRAM\nP0 = P0 + 1\nENDP\nPROG0\nPROGRAM\nPRINT SIN(90)\nENDP\n",
+    );
+    bench.file("machine/acrc.toml", "[sim]\nrun = [\"PROG0\", \"PLC1\"]\nangles = \"degrees\"\nplc-scan = \"20ms\"\n");
+    assert_eq!(talk(&bench, &["machine"], "?BIT1032,BIT1568,P0\r"), "?BIT1032,BIT1568,P0\r\n0\t0\t0\r\nSYS>");
+    let typed = "LRUN PROG0\rRUN PLC1\rPROG0\rDWL 0.1 : HALT PLC1 : ?P0\r";
+    let heard = talk(&bench, &["machine"], typed);
+    assert!(heard.starts_with("LRUN PROG0\r\n1\r\n") && heard.ends_with("\r\n5\r\nP00>"), "{heard}");
+}
+
+#[test]
 fn programs_with_pboot_run() {
     let bench = Bench::new();
     bench.file("boot.8K", "SYS\nDIM P(4)\nPROG0\nPROGRAM\nPBOOT\nP0 = 7\nENDP\n");

@@ -352,3 +352,33 @@ fn a_plc_program_without_text_is_not_started() {
     let run = bench.acrc(["sim", "."]).expect(2);
     assert!(run.stderr.contains("PLC1 has no text, so it cannot be started"), "{}", run.stderr);
 }
+
+/// A PLC program that counts its scans.
+const SCANS: &str = "SYS\nDIM PLC1(400)\nDIM P(1)\nPLC1\nPROGRAM\nP0 = P0 + 1\nENDP\n";
+
+#[test]
+fn the_project_says_how_often_plc_programs_scan() {
+    let bench = Bench::new();
+    bench.file("plc/Setup.8K", SCANS);
+    let scans = |config: &str| {
+        bench.file("plc/acrc.toml", format!("[sim]\nrun = [\"PLC1\"]\nuntil = \"99ms\"\n{config}"));
+        bench.sim("plc --read P0")["values"]["P0"].clone()
+    };
+    assert_eq!(scans(""), json!(100));
+    assert_eq!(scans("plc-scan = \"10ms\"\n"), json!(10));
+    assert_eq!(scans("plc-scan = 0.0001\n"), json!(199), "a period of the servo loop is 0.5 ms");
+}
+
+#[test]
+fn a_plc_program_of_the_project_that_cannot_be_simulated_is_refused() {
+    let bench = Bench::new();
+    let text =
+        format!("{SCANS}SYS\nDIM PLC2(400)\nPLC2\nPROGRAM\nSET 32\nDTALK AXIS0\nENDP\nPROG0\nPROGRAM\nSET 33\nENDP\n");
+    bench.file("plc/Setup.8K", text);
+    for (run, refused) in [("\"PROG0\"", false), ("\"PROG0\", \"PLC2\"", true)] {
+        bench.file("plc/acrc.toml", format!("[sim]\nrun = [{run}]\n"));
+        let run = bench.acrc(["sim", "plc"]);
+        assert_eq!(run.status, Some(if refused { 2 } else { 0 }), "{}", run.stderr);
+        assert_eq!(run.stderr.contains("Setup.8K:13: DTALK"), refused, "{}", run.stderr);
+    }
+}

@@ -50,6 +50,17 @@ pub struct SimConfig {
     pub until: Option<SimTime>,
     /// What the angle functions take.
     pub angles: Option<Angles>,
+    /// Time from one scan of the PLC programs to the next; above zero.
+    #[serde(deserialize_with = "scan_time")]
+    pub plc_scan: Option<SimTime>,
+}
+
+fn scan_time<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<SimTime>, D::Error> {
+    let time = SimTime::deserialize(deserializer)?;
+    let above_zero = Some(time).filter(|time| !time.0.is_zero());
+    above_zero
+        .map(Some)
+        .ok_or_else(|| D::Error::custom("`plc-scan` is the time from one scan to the next, so it is above 0"))
 }
 
 /// Unit of angles in functions.

@@ -40,6 +40,7 @@ struct Setup {
     image: Arc<Image>,
     world: World,
     angles: AngleUnit,
+    plc_scan: Option<f64>,
     start: Vec<u8>,
     plcs: Vec<u8>,
     until: f64,
@@ -66,8 +67,8 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         Some(project) => of_project(arguments, project, color)?,
         None => of_state(arguments, state.as_ref())?,
     };
-    let Setup { image, world, angles, mut start, plcs, until, title, mut notes } = setup;
-    let options = Options { world, seed: arguments.seed, angles, plcs, ..Options::default() };
+    let Setup { image, world, angles, plc_scan, mut start, plcs, until, title, mut notes } = setup;
+    let options = Options { world, seed: arguments.seed, angles, plcs, plc_scan };
     let kept = state.as_ref().and_then(|state| state.saved.as_ref());
     let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
         .with_context(|| State::cannot_power_up(state.as_ref()))?;
@@ -144,7 +145,17 @@ fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorCho
         notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
     }
     let angles = angles(arguments.angles, Some(project));
-    Ok(Setup { image: Arc::new(image), world, angles, start, plcs, until, title: title(project).to_owned(), notes })
+    Ok(Setup {
+        image: Arc::new(image),
+        world,
+        angles,
+        plc_scan: plc_scan(project),
+        start,
+        plcs,
+        until,
+        title: title(project).to_owned(),
+        notes,
+    })
 }
 
 /// A controller that is only switched on.
@@ -156,6 +167,7 @@ fn of_state(arguments: &SimArguments, state: Option<&State>) -> anyhow::Result<S
         image: Arc::new(Image::empty(&saved.model)),
         world: arguments.world.as_deref().map_or_else(|| Ok(World::default()), read_world)?,
         angles: angles(arguments.angles, None),
+        plc_scan: None,
         start: Vec::new(),
         plcs: Vec::new(),
         until: arguments.until.unwrap_or(DEFAULT_UNTIL),
@@ -193,6 +205,11 @@ pub(super) fn angles(chosen: Option<Angles>, project: Option<&LoadedProject>) ->
         Some(Angles::Degrees) => AngleUnit::Degrees,
         Some(Angles::Radians) | None => AngleUnit::Radians,
     }
+}
+
+/// Seconds from one scan of the PLC programs to the next, if the project says it.
+pub(super) fn plc_scan(project: &LoadedProject) -> Option<f64> {
+    project.config.sim.plc_scan.map(|time| time.0.as_secs_f64())
 }
 
 fn exit_of(stopped: Stopped, controller: &Controller) -> Exit {
