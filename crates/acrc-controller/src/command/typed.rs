@@ -23,14 +23,15 @@ pub(super) fn admit(call: &Call, level: Level) -> Result<(), ControllerError> {
     Ok(())
 }
 
-/// What a refused command is answered with: a command of another level and a word that is no axis of the program are unknown.
+/// What a refused command is answered with: a command of another level is unknown, and so is a word that is no axis of the program, wherever it
+/// stands (guide, "Slaves and Axis Names": other programs do not recognize it).
 pub(super) fn refusal(call: &Call, error: ControllerError) -> ControllerError {
     let is_move = call.command == command::AXIS_MOVE;
     match error {
-        ControllerError::WrongLevel { .. } => ControllerError::Said(message::UNKNOWN_COMMAND),
-        ControllerError::UnknownAxis { .. } | ControllerError::NoMaster(_) if is_move => {
+        ControllerError::WrongLevel { .. } | ControllerError::UnknownAxis { .. } => {
             ControllerError::Said(message::UNKNOWN_COMMAND)
         }
+        ControllerError::NoMaster(_) if is_move => ControllerError::Said(message::UNKNOWN_COMMAND),
         other => other,
     }
 }

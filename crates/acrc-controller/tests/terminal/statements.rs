@@ -57,6 +57,10 @@ fn commands_of_another_level_are_unknown() {
     for line in ["DIM PROG1(100)", "GARBLE 1", "FOO 5", "FOO", "FOO = 5"] {
         assert_eq!(desk.ask(line), "Unknown Command\r\n", "{line}");
     }
+    // Z is no axis of program 0, X none of program 1.
+    for line in ["Z5", "RES Z", "PPU Z", "JOG VEL Z5", "DRIVE ON Z", "PROG1 : RES X", "X5", "VECDEF X1"] {
+        assert_eq!(desk.ask(line), "Unknown Command\r\n", "{line}");
+    }
 }
 
 #[test]
