@@ -12,6 +12,7 @@ use crate::footprint::Places;
 use crate::machine::Machine;
 use crate::request::Origin;
 use crate::streams::{Device, DeviceError, Port, device_stream};
+use crate::task::Task;
 use crate::terminal::StreamName;
 
 pub(super) const COMMANDS: &[Entry] = &[
@@ -139,10 +140,11 @@ pub(crate) fn deliver(machine: &mut Machine, observer: &mut dyn Observer, origin
         Level::System => (UnitName::Boot, None),
     };
     let owner = program.filter(|_| !origin.immediate);
+    let task = Task::at(origin.level).filter(|_| !origin.immediate);
     let stream = Device::of(device, owner).and_then(|device| machine.streams.stream(device));
-    match (device, stream, owner) {
+    match (device, stream, task) {
         (_, Some(stream), _) => machine.terminal.send_to(stream, bytes),
-        (0, None, Some(program)) => machine.terminal.tell_listeners(program, bytes),
+        (0, None, Some(task)) => machine.terminal.tell_listeners(task, bytes),
         (0, None, None) => {}
         (_, None, _) => {
             machine.notes.insert(format!("#{device} was not open when something was printed to it: that text is lost"));

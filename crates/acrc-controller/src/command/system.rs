@@ -127,12 +127,11 @@ fn control(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
 /// `LRUN` and `LISTEN` show the output of a program at the channel that typed them. In a program and in setup code nobody listens.
 fn listen(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let &[task] = &context.tasks(call)?[..] else {
-        return Err(ControllerError::Expected { command: call.command.info().name, expected: "one program" });
+        let expected = "one program or PLC program";
+        return Err(ControllerError::Expected { command: call.command.info().name, expected });
     };
-    // Nobody listens to a PLC program, which has no device 0.
-    let channel = context.channel.and_then(|id| context.machine.terminal.get_mut(id));
-    if let (Some(channel), Task::Program(program)) = (channel, task) {
-        channel.listening = Some(program);
+    if let Some(channel) = context.channel.and_then(|id| context.machine.terminal.get_mut(id)) {
+        channel.listening = Some(task);
     }
     if call.command == command::LRUN { control(context, call) } else { Ok(Outcome::Done) }
 }
@@ -282,7 +281,7 @@ impl Context<'_> {
 
 /// The commands that also act on PLC programs (guide, "Starting, Pausing, and Halting Programs").
 fn takes_plcs(command: CommandId) -> bool {
-    matches!(command, command::RUN | command::HALT | command::NEW)
+    matches!(command, command::RUN | command::LRUN | command::LISTEN | command::HALT | command::NEW)
 }
 
 fn only_programs(command: CommandId) -> ControllerError {

@@ -179,11 +179,10 @@ impl Controller {
     }
 
     fn tell_flaw(&mut self, task: Task, message: &str, line: Option<u32>) -> bool {
-        let Task::Program(number) = task else { return false };
         let terminal = &mut self.machine.terminal;
-        let heard = terminal.channels().any(|channel| channel.listening == Some(number));
+        let heard = terminal.channels().any(|channel| channel.listening == Some(task));
         if heard {
-            terminal.tell_listeners(number, fault_line(message, line).as_bytes());
+            terminal.tell_listeners(task, fault_line(message, line).as_bytes());
         }
         heard
     }

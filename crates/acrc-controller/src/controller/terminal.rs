@@ -13,7 +13,7 @@ use acrc_vm::{FaultKind, Stop};
 use super::setup::Immediate;
 use super::{Controller, Observer};
 use crate::orders::Order;
-use crate::program::{Program, State};
+use crate::program::State;
 use crate::terminal::{
     Channel, ChannelId, Demand, Entry, Key, Piece, PromptState, Reader, StreamError, StreamName, Typed, known_words,
 };
@@ -98,14 +98,10 @@ impl Controller {
                     _ => Demand::Now,
                 }
             }
-            (None, Some(program)) if self.is_going(program) => Demand::Nothing,
+            (None, Some(task)) if self.program(task).is_going() => Demand::Nothing,
             (None, None) if !channel.has_input() => Demand::Nothing,
             _ => Demand::Now,
         }
-    }
-
-    fn is_going(&self, program: u8) -> bool {
-        self.programs.get(usize::from(program)).is_some_and(Program::is_going)
     }
 
     /// A slice of communication.
@@ -136,9 +132,9 @@ impl Controller {
         if let Some(typed) = channel.typed.take() {
             return self.execute_typed(id, typed, observer);
         }
-        if let Some(program) = channel.listening {
+        if let Some(task) = channel.listening {
             let left = channel.skip_to_escape();
-            if !left && self.is_going(program) {
+            if !left && self.program(task).is_going() {
                 return false;
             }
             self.with_channel(id, Channel::stop_listening);

@@ -9,6 +9,7 @@ use acrc_catalog::message;
 use acrc_syntax::units::Level;
 
 use super::{Entry, PromptState, StreamName, Typed};
+use crate::task::Task;
 
 /// Characters of a line, at most (`docs/fidelity.md`, terminal).
 const LONGEST_LINE: usize = 1024;
@@ -65,8 +66,8 @@ pub(crate) struct Channel {
     pub(crate) mode: u8,
     /// Lines that are entered into a program (`PROGRAM`).
     pub(crate) entry: Option<Entry>,
-    /// The program whose output it shows.
-    pub(crate) listening: Option<u8>,
+    /// What it shows the output of.
+    pub(crate) listening: Option<Task>,
     /// The stream that it is connected to (`TALK TO`).
     pub(crate) talking: Option<StreamName>,
     pub(crate) typist: Typist,

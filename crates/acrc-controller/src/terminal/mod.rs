@@ -13,6 +13,8 @@ mod words;
 
 use std::collections::BTreeMap;
 
+use crate::task::Task;
+
 pub(crate) use channel::{Channel, Key, Typist};
 pub(crate) use entry::Entry;
 pub(crate) use line::{Piece, Reader, Typed, complaint};
@@ -137,16 +139,16 @@ impl Terminal {
 
     /// What those who listen to a program have typed, up to the end of a line.
     pub(crate) fn take_typed(&mut self, program: u8) -> Vec<u8> {
-        let listeners = self.channels.values_mut().filter(|channel| channel.listening == Some(program));
+        let listeners = self.channels.values_mut().filter(|channel| channel.listening == Some(Task::Program(program)));
         listeners.flat_map(Channel::take_typed).collect()
     }
 
-    /// Sends bytes to those who listen to a program, besides whoever watches the run.
-    pub(crate) fn tell_listeners(&mut self, program: u8, bytes: &[u8]) {
+    /// Sends bytes to those who listen to a program or PLC program, besides whoever watches the run.
+    pub(crate) fn tell_listeners(&mut self, task: Task, bytes: &[u8]) {
         for channel in self
             .channels
             .values_mut()
-            .filter(|channel| channel.listening == Some(program) && channel.typist == Typist::Driver)
+            .filter(|channel| channel.listening == Some(task) && channel.typist == Typist::Driver)
         {
             channel.send(bytes);
         }

@@ -14,7 +14,7 @@ const SESSIONS: [(&str, &[&str], Option<&str>); 8] = [
     ("04-kill-all-motion", &[], Some("JOG FWD")),
     ("05-numbered-line", &["PROGRAM", "VEL 1", "VEL 2", "ENDP", "SET 5651"], None),
     ("06-feedrate-override", &["X1000"], None),
-    ("08-pass-through", &[], Some("OPEN DTALK")),
+    ("08-pass-through", &[], Some("DTALK X")),
     ("09-troubleshooting-queries", &["VEL 10", "JOG VEL X25 Y50"], None),
 ];
 

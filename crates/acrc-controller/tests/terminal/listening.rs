@@ -152,3 +152,27 @@ fn a_restart_brings_the_prompt_back() {
     assert_eq!(desk.send("DWL 5 : ?1\r"), "DWL 5 : ?1\r\nSYS>");
     assert_eq!(desk.ask("?2"), "2\r\n");
 }
+
+#[test]
+fn plc_programs_are_listened_to() {
+    let mut desk = Desk::with(
+        "SYS\nDIM PLC0(400)\nDIM P(1)\nPLC0\nPROGRAM\nP0 = P0 + 1\nIF (P0 = 3) THEN PRINT \"third\"\nENDP\n",
+    );
+    assert_eq!(desk.send("LRUN PLC0\r"), "LRUN PLC0\r\n");
+    assert_eq!(desk.wait(0.1), "third\r\n");
+    assert_eq!(desk.controller.prompt_state(desk.channel), PromptState::Listening);
+    assert_eq!(desk.send("\x1b"), "SYS>");
+    assert_eq!(desk.ask("P0 = 0 : LRUN PLC1"), "", "there is no text in PLC1");
+    desk.send("PLC0\rP0 = 0\rLISTEN\r");
+    assert_eq!(desk.wait(0.1), "third\r\n");
+    assert_eq!(desk.send("\x1b"), "PLC0>");
+}
+
+#[test]
+fn the_mistakes_of_a_plc_program_are_shown_to_who_listens() {
+    let mut desk = Desk::with("SYS\nDIM PLC0(400)\nPLC0\nPROGRAM\nP9 = 1\nENDP\n");
+    desk.send("LRUN PLC0\r");
+    assert_eq!(desk.wait(0.1), "P9 is outside DIM P(0) [line 10]\r\nSYS>");
+    assert_eq!(desk.ask("LRUN ALL"), "LRUN expects one program or PLC program\r\n");
+    assert_eq!(desk.ask("DTALK AXIS0"), "DTALK is not simulated: a dry run has no drive that could answer\r\n");
+}
