@@ -106,21 +106,21 @@ pub(crate) fn most_objects(kind: ObjectKind) -> Option<u8> {
     COUNTS.get(&kind).copied()
 }
 
-/// Where a command's values are.
-#[derive(Clone, Debug)]
-enum Place {
+/// What a command's values are kept in.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
     /// One parameter a value.
-    Parameters(Vec<AddressLaw>),
+    Parameters,
     /// One flag a bit of the value.
-    Flags(Vec<AddressLaw>),
+    Flags,
 }
 
 /// The commands whose values have numbers.
-static PLACES: LazyLock<BTreeMap<CommandId, Place>> = LazyLock::new(|| {
+static PLACES: LazyLock<BTreeMap<CommandId, (Kind, Vec<AddressLaw>)>> = LazyLock::new(|| {
     let parameters = all_parameters().filter_map(|row| Some((row.set_by?, row.law)));
     let bits = all_bits().filter_map(|row| Some((row.set_by?, row.law)));
-    let places = by_command(parameters).map(|(command, laws)| (command, Place::Parameters(laws)));
-    places.chain(by_command(bits).map(|(command, laws)| (command, Place::Flags(laws)))).collect()
+    let places = by_command(parameters).map(|(command, laws)| (command, (Kind::Parameters, laws)));
+    places.chain(by_command(bits).map(|(command, laws)| (command, (Kind::Flags, laws)))).collect()
 });
 
 /// The laws of each command in the order of its parts.
@@ -141,9 +141,9 @@ impl Machine {
         items: Vec<Item>,
     ) -> Result<(), ControllerError> {
         let items = completed(command, items)?;
-        match PLACES.get(&command) {
-            Some(Place::Parameters(laws)) => self.set_parameters(command, laws, object, &items),
-            Some(Place::Flags(laws)) => self.set_flags(command, laws, object, &items),
+        match numbers(command, object)? {
+            Some((Kind::Parameters, numbers)) => self.set_parameters(command, &numbers, &items),
+            Some((Kind::Flags, numbers)) => self.set_flags(command, &numbers, &items),
             None => {
                 self.settings.keep(command, object, items);
                 self.motion.touch();
@@ -154,16 +154,13 @@ impl Machine {
 
     /// What a command has set for an object, or what it is at power-up.
     pub(crate) fn setting(&self, command: CommandId, object: u16) -> Result<Vec<Item>, ControllerError> {
-        match PLACES.get(&command) {
-            Some(Place::Parameters(laws)) => laws
-                .iter()
-                .map(|law| self.read_parameter(i64::from(numbered(command, law, object)?)).map(Item::Number))
-                .collect(),
-            Some(Place::Flags(laws)) => {
-                let mut value = 0;
-                for (bit, law) in laws.iter().enumerate() {
-                    value |= i32::from(self.flags.get(numbered(command, law, object)?)) << bit;
-                }
+        match numbers(command, object)? {
+            Some((Kind::Parameters, numbers)) => {
+                numbers.into_iter().map(|number| self.read_parameter(number.into()).map(Item::Number)).collect()
+            }
+            Some((Kind::Flags, numbers)) => {
+                let bits = numbers.into_iter().enumerate();
+                let value = bits.fold(0, |value, (bit, number)| value | i32::from(self.flags.get(number)) << bit);
                 Ok(vec![Item::Number(Value::Long(value))])
             }
             None => {
@@ -173,40 +170,35 @@ impl Machine {
         }
     }
 
-    fn set_parameters(
-        &mut self,
-        command: CommandId,
-        laws: &[AddressLaw],
-        object: u16,
-        items: &[Item],
-    ) -> Result<(), ControllerError> {
-        for (law, item) in laws.iter().zip(items) {
+    fn set_parameters(&mut self, command: CommandId, numbers: &[u32], items: &[Item]) -> Result<(), ControllerError> {
+        for (number, item) in numbers.iter().zip(items) {
             let Item::Number(value) = item else { return Err(number_expected(command)) };
-            self.write_parameter(i64::from(numbered(command, law, object)?), value)?;
+            self.write_parameter((*number).into(), value)?;
         }
         Ok(())
     }
 
-    fn set_flags(
-        &mut self,
-        command: CommandId,
-        laws: &[AddressLaw],
-        object: u16,
-        items: &[Item],
-    ) -> Result<(), ControllerError> {
+    fn set_flags(&mut self, command: CommandId, numbers: &[u32], items: &[Item]) -> Result<(), ControllerError> {
         let [Item::Number(value)] = items else { return Err(number_expected(command)) };
         let value = value.to_long().map_err(ControllerError::Program)?;
-        let most = (1 << laws.len()) - 1;
+        let most = (1 << numbers.len()) - 1;
         if !(0..=most).contains(&value) {
             let problem = format!("{value} is not between 0 and {most}");
             return Err(ControllerError::BadValue { command: command.info().name, problem });
         }
-        for (bit, law) in laws.iter().enumerate() {
-            self.flags.set(numbered(command, law, object)?, value >> bit & 1 == 1);
+        for (bit, number) in numbers.iter().enumerate() {
+            self.flags.set(*number, value >> bit & 1 == 1);
         }
         self.motion.touch();
         Ok(())
     }
+}
+
+/// The numbers that hold the values of a command for an object, if they have any.
+fn numbers(command: CommandId, object: u16) -> Result<Option<(Kind, Vec<u32>)>, ControllerError> {
+    let Some((kind, laws)) = PLACES.get(&command) else { return Ok(None) };
+    let numbers = laws.iter().map(|law| numbered(command, law, object)).collect::<Result<_, _>>()?;
+    Ok(Some((*kind, numbers)))
 }
 
 /// The number that belongs to an object.

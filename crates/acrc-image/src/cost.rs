@@ -51,8 +51,20 @@ impl TextCost {
 
     /// All of it, in bytes.
     pub fn total(&self) -> u64 {
-        let Self { commands, operators, constants, strings, remarks, labels } = self;
-        commands + operators + constants + strings + remarks + labels
+        self.kinds().into_iter().map(|(_, bytes)| bytes).sum()
+    }
+
+    /// Each kind by its name, in the order of reports.
+    pub fn kinds(&self) -> [(&'static str, u64); 6] {
+        let Self { commands, operators, constants, strings, remarks, labels } = *self;
+        [
+            ("commands", commands),
+            ("operators", operators),
+            ("constants", constants),
+            ("strings", strings),
+            ("remarks", remarks),
+            ("labels", labels),
+        ]
     }
 
     fn add_node(&mut self, node: &Node) {

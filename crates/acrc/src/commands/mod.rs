@@ -3,6 +3,7 @@
 mod build;
 mod explain;
 mod fmt;
+mod kinds;
 mod lint;
 mod list;
 mod mem;

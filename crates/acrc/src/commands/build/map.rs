@@ -7,6 +7,8 @@ use acrc_image::list::{Line, ListOptions, lines, list_instructions};
 use acrc_image::{Alias, Image, Instruction, Item, Node, Separator, TextCost, Unit, UnitName};
 use serde::Serialize;
 
+use crate::commands::kinds::Kinds;
+
 /// The version of the JSON form. It grows when a field changes its meaning or goes.
 const VERSION: u32 = 1;
 
@@ -62,16 +64,6 @@ struct UnitMap<'a> {
     characters: usize,
     kinds: Kinds,
     lines: &'a [LinePlace],
-}
-
-#[derive(Serialize)]
-struct Kinds {
-    commands: u64,
-    operators: u64,
-    constants: u64,
-    strings: u64,
-    remarks: u64,
-    labels: u64,
 }
 
 #[derive(Serialize)]
@@ -131,17 +123,14 @@ fn document<'a>(
     bytes: &[u8],
     Places(places): &'a Places,
 ) -> anyhow::Result<Document<'a>> {
-    let units = image.units().zip(image.offsets()?).zip(places).map(|((unit, offset), places)| {
-        let TextCost { commands, operators, constants, strings, remarks, labels } = places.cost;
-        UnitMap {
-            unit: unit.name.to_string(),
-            offset,
-            bytes: unit.memory(),
-            words: unit.words.len(),
-            characters: unit.strings.len(),
-            kinds: Kinds { commands, operators, constants, strings, remarks, labels },
-            lines: &places.lines,
-        }
+    let units = image.units().zip(image.offsets()?).zip(places).map(|((unit, offset), places)| UnitMap {
+        unit: unit.name.to_string(),
+        offset,
+        bytes: unit.memory(),
+        words: unit.words.len(),
+        characters: unit.strings.len(),
+        kinds: Kinds(places.cost),
+        lines: &places.lines,
     });
     let aliases = (0..).zip(&image.aliases).map(|(place, alias)| alias_map(place, alias, &image.aliases));
     Ok(Document {
@@ -170,12 +159,11 @@ fn alias_map<'a>(place: u16, alias: &'a Alias, aliases: &[Alias]) -> anyhow::Res
 
 fn text(map: &Document<'_>) -> String {
     let mut out = format!("{} for {}: an image of {} bytes\n\n", map.project, map.model, map.image_bytes);
-    let heads = ["offset", "bytes", "commands", "operators", "constants", "strings", "remarks", "labels"];
-    row(&mut out, "unit", heads.map(str::to_owned).iter());
+    let heads = TextCost::default().kinds().map(|(name, _)| name.to_owned());
+    row(&mut out, "unit", ["offset", "bytes"].map(str::to_owned).iter().chain(&heads));
     for unit in &map.units {
-        let Kinds { commands, operators, constants, strings, remarks, labels } = unit.kinds;
-        let kinds = [commands, operators, constants, strings, remarks, labels];
-        let kinds = kinds.map(|bytes| if bytes == 0 { "-".to_owned() } else { bytes.to_string() });
+        let kinds = unit.kinds.0.kinds();
+        let kinds = kinds.map(|(_, bytes)| if bytes == 0 { "-".to_owned() } else { bytes.to_string() });
         row(&mut out, &unit.unit, [format!("0x{:X}", unit.offset), unit.bytes.to_string()].iter().chain(&kinds));
     }
     if !map.aliases.is_empty() {

@@ -6,6 +6,7 @@ use acrc_analysis::memory::{Allocation, Calls, Exact, IssueKind, Part, ProgramRe
 use serde::Serialize;
 
 use super::Account;
+use crate::commands::kinds::Kinds;
 
 /// The version of the form. It grows when a field changes its meaning or goes.
 const VERSION: u32 = 1;
@@ -63,12 +64,8 @@ struct Program {
 #[derive(Serialize)]
 struct Text {
     total: u64,
-    commands: u64,
-    operators: u64,
-    constants: u64,
-    strings: u64,
-    remarks: u64,
-    labels: u64,
+    #[serde(flatten)]
+    kinds: Kinds,
 }
 
 #[derive(Serialize)]
@@ -174,15 +171,7 @@ impl Program {
             needed: program.needed(),
             open: program.is_open(),
             excess: program.excess(),
-            text: Text {
-                total: text.total(),
-                commands: text.commands,
-                operators: text.operators,
-                constants: text.constants,
-                strings: text.strings,
-                remarks: text.remarks,
-                labels: text.labels,
-            },
+            text: Text { total: text.total(), kinds: Kinds(text) },
             variables: program.variables.iter().map(Variable::from).collect(),
             calls: CallLevels {
                 depth: match program.calls {

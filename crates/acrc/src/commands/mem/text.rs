@@ -150,16 +150,7 @@ impl Page {
     }
 
     fn text_rows(text: &mut String, program: &ProgramReport) {
-        let cost = program.text;
-        let rows = [
-            ("commands", cost.commands),
-            ("operators", cost.operators),
-            ("constants", cost.constants),
-            ("strings", cost.strings),
-            ("remarks", cost.remarks),
-            ("labels", cost.labels),
-        ];
-        for (name, bytes) in rows.into_iter().filter(|(_, bytes)| *bytes > 0) {
+        for (name, bytes) in program.text.kinds().into_iter().filter(|(_, bytes)| *bytes > 0) {
             Self::row(text, name, &grouped(bytes), "");
         }
     }
