@@ -179,9 +179,6 @@ const PROGRAM_STATE: [&str; 2] = ["program_running", "run_request"];
 /// The settings that the parameters of a master hold; which parameter holds which is not known.
 const OF_MASTERS: [Deed; 3] = [Deed::Velocity, Deed::Acceleration, Deed::StopRamp];
 
-/// Below are inputs, outputs and the first user flags, which do nothing by themselves.
-pub(crate) const FIRST_SYSTEM_FLAG: u64 = 512;
-
 /// A deed of a command with what it is done to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Act {

@@ -238,3 +238,9 @@ fn settings_name_the_parameters_and_flags_that_hold_them() {
     let node = parameter(33_024).row.expect("a row");
     assert_eq!((node.default(0), node.default(1)), (Some(1.0), Some(0.0)));
 }
+
+#[test]
+fn below_the_flags_of_the_system_are_inputs_outputs_and_flags_of_programs() {
+    assert_eq!(acrc_catalog::first_system_flag(), 512);
+    assert_eq!(acrc_catalog::bit(512).object, Space::Master);
+}

@@ -1,9 +1,9 @@
 //! The flag words P4096..P6143 and the bits in them: one memory, two views (guide, "System Parameters and Flags").
 
-use acrc_catalog::Law;
+use acrc_catalog::{FIRST_FLAG_WORD, FLAG_WORD_COUNT, FLAGS_PER_WORD, Law};
 
 /// First parameter that is a flag word.
-pub(crate) const FIRST_WORD: u32 = 4096;
+pub(crate) const FIRST_WORD: u32 = FIRST_FLAG_WORD;
 /// All flags of the controller.
 #[derive(Clone, Debug)]
 pub(crate) struct Flags {
@@ -12,7 +12,7 @@ pub(crate) struct Flags {
 
 impl Flags {
     /// Number of flag words.
-    pub(crate) const WORDS: u32 = 2048;
+    pub(crate) const WORDS: u32 = FLAG_WORD_COUNT;
 
     /// Power-up: every flag is clear.
     pub(crate) fn new() -> Self {
@@ -21,7 +21,7 @@ impl Flags {
 
     /// Whether a bit number lies in the flag space.
     pub(crate) fn contains(bit: u32) -> bool {
-        bit / 32 < Self::WORDS
+        bit / FLAGS_PER_WORD < Self::WORDS
     }
 
     /// State of a bit; bits outside the space are clear.

@@ -17,7 +17,7 @@ impl Host for Context<'_> {
             self.machine.note_read(number);
             // Flags have their words among the parameters.
             let word = number - i64::from(FIRST_WORD);
-            self.footprint.reads |= Places::flag(word.wrapping_mul(32));
+            self.footprint.reads |= Places::flag(word.wrapping_mul(i64::from(acrc_catalog::FLAGS_PER_WORD)));
             self.footprint.timed |= Machine::follows_time(number);
         }
         self.machine.read_parameter(number).map_err(FaultKind::from)

@@ -195,7 +195,7 @@ impl<'a> Collector<'a> {
     fn written(&mut self, level: Level, class: OperandClass, index: &Expr, how: WriteKind) {
         let first = match class {
             OperandClass::Parameter => u64::from(acrc_catalog::FIRST_FLAG_WORD),
-            OperandClass::Bit => deed::FIRST_SYSTEM_FLAG,
+            OperandClass::Bit => u64::from(acrc_catalog::first_system_flag()),
             _ => return,
         };
         match &index.kind {

@@ -7,9 +7,9 @@ use crate::{Access, AddressLaw, BitKind, Confidence, Space};
 /// The parameter that holds flags 0-31. Below are user parameters, which do nothing.
 pub const FIRST_FLAG_WORD: u32 = 4096;
 /// Flags in one word.
-const WORD_BITS: u32 = 32;
-/// Words that parameters 4096-6143 can hold.
-const WORDS: u32 = 2048;
+pub const FLAGS_PER_WORD: u32 = 32;
+/// Flag words, from [`FIRST_FLAG_WORD`] on: parameters 4096-6143.
+pub const FLAG_WORD_COUNT: u32 = 2048;
 
 /// A run of flags with one meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +111,7 @@ impl BitInfo {
 
 /// What a flag number stands for. Where two rows hold it, the one with fewer numbers wins.
 pub fn bit(number: u32) -> BitInfo {
-    let word = (number / WORD_BITS < WORDS).then_some(FIRST_FLAG_WORD + number / WORD_BITS);
+    let word = (number / FLAGS_PER_WORD < FLAG_WORD_COUNT).then_some(FIRST_FLAG_WORD + number / FLAGS_PER_WORD);
     let words = word.and_then(flag_words);
     let group = words.filter(|words| words.object != Space::Unknown);
     let mut info = BitInfo {
@@ -128,7 +128,7 @@ pub fn bit(number: u32) -> BitInfo {
         source: words.map_or("", |words| words.source),
         confidence: words.map_or(Confidence::Low, |words| words.confidence),
         word,
-        index: number % WORD_BITS,
+        index: number % FLAGS_PER_WORD,
         row: None,
         words,
     };
@@ -160,10 +160,17 @@ pub fn flag_words(parameter: u32) -> Option<&'static FlagWords> {
     FLAG_WORDS.iter().find(|words| words.law.place(parameter).is_some())
 }
 
+/// The first flag that means something to the controller by itself: below are inputs, outputs and flags of programs.
+pub fn first_system_flag() -> u32 {
+    let plain = [Space::Input, Space::Output, Space::User, Space::Xio];
+    let system = FLAG_WORDS.iter().find(|words| !plain.contains(&words.object));
+    system.map_or(0, |words| flags_in(words.law.first).start)
+}
+
 /// The flags that a parameter holds; none for one that is no flag word.
 pub fn flags_in(parameter: u32) -> std::ops::Range<u32> {
-    let word = parameter.checked_sub(FIRST_FLAG_WORD).filter(|word| *word < WORDS);
-    word.map_or(0..0, |word| word * WORD_BITS..(word + 1) * WORD_BITS)
+    let word = parameter.checked_sub(FIRST_FLAG_WORD).filter(|word| *word < FLAG_WORD_COUNT);
+    word.map_or(0..0, |word| word * FLAGS_PER_WORD..(word + 1) * FLAGS_PER_WORD)
 }
 
 /// The number of a flag for an object, across the rows of the field: `bit_number("kill_all_motion_request", 1)` is 8499.

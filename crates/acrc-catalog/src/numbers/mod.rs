@@ -6,7 +6,8 @@ mod bits;
 mod parameters;
 
 pub use bits::{
-    BitInfo, BitRow, FIRST_FLAG_WORD, FlagWords, all_bits, all_flag_words, bit, bit_number, flag_words, flags_in,
+    BitInfo, BitRow, FIRST_FLAG_WORD, FLAG_WORD_COUNT, FLAGS_PER_WORD, FlagWords, all_bits, all_flag_words, bit,
+    bit_number, first_system_flag, flag_words, flags_in,
 };
 pub use parameters::{
     ParameterBlock, ParameterInfo, ParameterRow, all_parameter_blocks, all_parameters, parameter, parameter_number,
