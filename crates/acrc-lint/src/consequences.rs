@@ -11,7 +11,8 @@ use acrc_diagnostics::{Diagnostic, Severity, Span};
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Separator, Statement, StatementKind};
 
-use crate::rules::names::axis_name;
+use crate::rules::names::{alias_name, axis_name};
+use crate::settings::Settings;
 
 /// The stretches of a file in which rules are not heard.
 pub(crate) struct Consequences {
@@ -24,7 +25,7 @@ pub(crate) struct Consequences {
 }
 
 impl Consequences {
-    pub(crate) fn new(file: &FileContext<'_>) -> Self {
+    pub(crate) fn new(file: &FileContext<'_>, settings: &Settings) -> Self {
         let errors = file.tree.errors().iter().filter(|error| error.severity == Severity::Error);
         let mut spans: Vec<Span> = errors.filter_map(|error| broken_at(file.tree, error.span)).collect();
         spans.extend(file.index.sections.iter().filter_map(|section| {
@@ -41,7 +42,10 @@ impl Consequences {
             }
             joins
         });
-        Self { spans, long_names: long_names(file), misread: misread(file) }
+        // A name is only reported where it is given if that is heard as loud as what is left out.
+        let long_names = if settings.is_error(&axis_name::RULE.doc) { long_names(file) } else { Vec::new() };
+        let misread = if settings.is_error(&alias_name::RULE.doc) { misread(file) } else { Vec::new() };
+        Self { spans, long_names, misread }
     }
 
     /// Whether a finding lies in such a stretch.

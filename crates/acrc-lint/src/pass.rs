@@ -48,7 +48,7 @@ pub(crate) fn run(file: &FileContext<'_>) -> Vec<Diagnostic> {
             }
         }
     }
-    let consequences = Consequences::new(file);
+    let consequences = Consequences::new(file, &settings);
     let mut found = context.into_findings();
     found.retain(|finding| !consequences.hide(finding));
     let errors = file.tree.errors().iter().filter(|error| !consequences.hide_error(error, file.text));

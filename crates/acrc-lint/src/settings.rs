@@ -43,6 +43,12 @@ impl Settings {
         }
     }
 
+    /// Whether what a rule finds is heard, and as an error.
+    pub(crate) fn is_error(&self, doc: &RuleDoc) -> bool {
+        let heard = place_of(doc.code.id).filter(|place| self.on.contains(*place));
+        heard.is_some_and(|place| self.severity(place).unwrap_or(doc.severity) == Severity::Error)
+    }
+
     /// The severity of a rule, when it is not its own.
     pub(crate) fn severity(&self, place: usize) -> Option<Severity> {
         self.severities.get(place).copied().flatten()

@@ -215,3 +215,69 @@ fn every_way_an_image_can_be_wrong_has_its_reason() {
         assert!(run.stderr.contains(reason), "{reason}: {}", run.stderr);
     }
 }
+
+/// A project with this text in program 0, and with every rule of the linter off.
+fn quiet(program: &str) -> Bench {
+    let bench = Bench::new();
+    bench.file("quiet/acrc.toml", "[lint]\nignore = [\"ALL\"]\n");
+    bench.file(
+        "quiet/Setup.8K",
+        format!("SYS\nCLEAR\nDIM PROG0(60)\nDIM P(9)\nDIM DEF(1)\n#DEFINE Speed P1\nPROG0\nPROGRAM\n{program}\nENDP\n"),
+    );
+    bench
+}
+
+#[test]
+fn a_quiet_linter_lets_nothing_pass_that_a_controller_cannot_load() {
+    let setup = if cfg!(windows) { "quiet\\Setup.8K" } else { "quiet/Setup.8K" };
+    for (program, problem) in [
+        ("WHILE (P0 < 3)", format!("error: {setup}:9: WHILE without WEND")),
+        ("SET 32\nWEND", format!("error: {setup}:10: WEND without WHILE")),
+        (
+            "FOR P0 = 1 TO 3\nIF (P0 = 1)\nNEXT\nENDIF",
+            format!("error: {setup}:11: NEXT closes a IF block that stands inside it"),
+        ),
+        (
+            "PRINT \"a text of this many characters is more than sixty bytes\"",
+            "error: PROG0: its text needs 63 bytes, and DIM PROG0 gives 60".to_owned(),
+        ),
+    ] {
+        let bench = quiet(program);
+        let run = bench.acrc(["build", "quiet", "-o", "quiet.acrx"]).expect(1);
+        assert_eq!(run.stderr, format!("{problem}\n{setup} is not built: a controller cannot load it\n"));
+        assert_eq!(files(&bench), ["quiet"]);
+    }
+    let run = quiet("GOTO Nowhere").acrc(["build", "quiet", "-o", "quiet.acrx"]).expect(1);
+    assert!(run.stderr.contains("the label `Nowhere` is not defined in this program"), "{}", run.stderr);
+}
+
+#[test]
+fn what_the_project_accepts_of_the_linter_is_built() {
+    let bench = quiet("SET 70000");
+    bench.acrc(["build", "quiet", "-o", "quiet.acrx"]).expect(0);
+    bench.file("quiet/acrc.toml", "");
+    let run = bench.acrc(["build", "quiet", "-o", "quiet.acrx"]).expect(1);
+    assert!(run.stderr.contains("70000"), "{}", run.stderr);
+}
+
+#[test]
+fn an_alias_that_is_a_word_of_the_language_is_an_error_for_everybody() {
+    let bench = Bench::new();
+    for program in ["P0 = Clock", "P0 = 1"] {
+        bench
+            .file("a.8K", format!("SYS\nDIM DEF(1)\nDIM P(1)\n#DEFINE Clock P6916\nPROG0\nPROGRAM\n{program}\nENDP\n"));
+        for arguments in [&["lint", "a.8K"][..], &["build", "a.8K", "-o", "a.acrx"]] {
+            let run = bench.acrc(arguments.iter().copied()).expect(1);
+            let told = run.stdout + &run.stderr;
+            assert!(told.contains("error[ACR212]: the alias `Clock` is a word of the language"), "{told}");
+            assert!(told.contains("1 error"), "{told}");
+        }
+    }
+    // Where nobody speaks of the name, its uses are errors.
+    bench.file("b/Prog0.8K", "SYS\nDIM DEF(1)\nDIM P(1)\n#DEFINE Clock P6916\nPROG0\nPROGRAM\nP0 = Clock\nENDP\n");
+    for config in ["ignore = [\"ACR212\"]", "severity = { ACR212 = \"warning\" }"] {
+        bench.file("b/acrc.toml", format!("[lint]\nfail-on = \"error\"\n{config}\n"));
+        bench.acrc(["lint", "b"]).expect(1);
+        bench.acrc(["build", "b", "-o", "a.acrx"]).expect(1);
+    }
+}

@@ -50,7 +50,7 @@ fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
     let word = acrc_catalog::word(name)?;
     word.stands_alone().then(|| {
         let message = format!("the alias `{name}` is a word of the language");
-        RULE.at(span, message).with_help("it reads as that word: take another name").unconfirmed()
+        RULE.at(span, message).with_help("it reads as that word: take another name")
     })
 }
 

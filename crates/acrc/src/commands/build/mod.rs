@@ -1,6 +1,7 @@
 //! `acrc build`: compiles a project into an image, with a listing and a map of it.
 
 mod listing;
+mod loadable;
 mod map;
 
 use std::io::{Write, stderr};
@@ -12,7 +13,7 @@ use anyhow::{Context as _, bail};
 use super::project::{check, compile, errors_of, inputs, load, show_errors, title};
 use crate::cli::{BuildArguments, ColorChoice};
 use crate::exit::Exit;
-use crate::output::{OutputFile, Terminal, is_standard_output, print, refuse_clashes};
+use crate::output::{OutputFile, Terminal, is_standard_output, print, refuse_clashes, tell};
 
 /// What errors leave undone.
 const NOT_BUILT: &str = "is not built";
@@ -30,6 +31,15 @@ pub(super) fn run(arguments: &BuildArguments, color: ColorChoice) -> anyhow::Res
     let errors = errors_of(check(&project));
     if !errors.iter().all(Vec::is_empty) {
         show_errors(&project, &errors, NOT_BUILT, terminal);
+        return Ok(Exit::Findings);
+    }
+    let problems = loadable::problems(&project, &image)?;
+    if !problems.is_empty() {
+        let title = title(&project);
+        tell(|err| {
+            problems.iter().try_for_each(|problem| writeln!(err, "error: {problem}"))?;
+            writeln!(err, "{title} {NOT_BUILT}: a controller cannot load it")
+        });
         return Ok(Exit::Findings);
     }
     if image.boot.words.is_empty() && image.programs.is_empty() {
