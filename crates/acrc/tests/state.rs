@@ -89,16 +89,13 @@ fn the_way_back_to_the_factory() {
 #[test]
 fn what_is_stored_is_looked_at_before_it_runs() {
     let bench = Bench::new();
-    bench.file(
-        "two.8K",
-        "PROG0\nPROGRAM\nPRINT \"zero\"\nENDP\nPROG1\nPROGRAM\nPRINT \"never\"\nX2 SINE X(0,90,90,100)\nENDP\n",
-    );
+    bench.file("two.8K", "PROG0\nPROGRAM\nPRINT \"zero\"\nENDP\nPROG1\nPROGRAM\nPRINT \"never\"\nPM ON AXIS0\nENDP\n");
     bench.sim("two.8K --run PROG0 --state kept");
     let run = |programs: &str| bench.acrc(["sim", "--state", "kept", "--stored", "--run", programs]);
     assert!(run("PROG0").expect(0).stdout.contains("zero"));
     assert!(run("PROG4").expect(2).stderr.contains("PROG4 has no text in the controller"));
     let refused = run("PROG1").expect(2);
-    assert!(refused.stderr.contains("PROG1: SINE") && refused.stdout.is_empty(), "{}", refused.stderr);
+    assert!(refused.stderr.contains("PROG1: PM ON") && refused.stdout.is_empty(), "{}", refused.stderr);
 }
 
 #[test]

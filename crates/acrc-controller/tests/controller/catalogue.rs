@@ -64,7 +64,8 @@ fn read_only(access: Access, confidence: Confidence) -> bool {
 }
 
 fn writable_parameters() -> impl Iterator<Item = &'static ParameterRow> {
-    let follows = |row: &ParameterRow| ["vector_velocity", "jog_acceleration_current"].contains(&row.field);
+    let follows =
+        |row: &ParameterRow| ["vector_velocity", "master_speed", "jog_acceleration_current"].contains(&row.field);
     all_parameters()
         .filter(move |row| row.object != Space::Flags && !read_only(row.access, row.confidence) && !follows(row))
 }
