@@ -159,7 +159,7 @@ impl Machine {
     }
 
     /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
-    pub(crate) fn tick(&mut self, arrays: &dyn Arrays) {
+    pub(crate) fn tick(&mut self, arrays: &mut dyn Arrays) {
         self.clock.advance(1);
         self.read_axis_sources();
         self.apply_events();
@@ -205,7 +205,7 @@ impl Machine {
         self.settle();
         self.clock.advance(ticks);
         self.apply_events();
-        self.advance_axes(0.0, &NoArrays);
+        self.advance_axes(0.0, &mut NoArrays);
     }
 
     /// Moves time on to a tick up to which nothing happens; not back.

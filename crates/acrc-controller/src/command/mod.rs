@@ -20,6 +20,7 @@ mod network;
 mod nonvolatile;
 mod path;
 mod profile;
+mod record;
 mod reports;
 mod settings;
 mod stored;
@@ -108,6 +109,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         nonvolatile::COMMANDS,
         path::COMMANDS,
         profile::COMMANDS,
+        record::COMMANDS,
         reports::COMMANDS,
         settings::COMMANDS,
         stored::COMMANDS,

@@ -23,8 +23,7 @@ const FORGETTING: [(CommandId, &[CommandId]); 4] = [
     (command::SAMP_CLEAR, &[command::SAMP_SRC, command::SAMP_BASE, command::SAMP_TRG]),
 ];
 
-pub(super) const COMMANDS: &[Entry] =
-    &[(command::FSTAT_CLEAR, Action::Run(forget)), (command::SAMP_CLEAR, Action::Run(forget))];
+pub(super) const COMMANDS: &[Entry] = &[(command::FSTAT_CLEAR, Action::Run(forget))];
 
 /// How a setting is executed, if the command is one.
 pub(super) fn action(info: &Command) -> Option<Action> {

@@ -16,7 +16,6 @@ pub(super) const COMMANDS: &[Entry] = &[
     nothing(command::CMT_OFF),
     nothing(command::FSTAT_ON),
     nothing(command::FSTAT_OFF),
-    nothing(command::PLS_OFF),
     nothing(command::PLS_RES),
     // Hardware.
     nothing(command::AXIS_ON),

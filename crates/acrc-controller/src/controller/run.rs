@@ -1,6 +1,6 @@
 //! A run: setup code, then ticks and slices until it is over.
 
-use acrc_vm::{Locals, Reference};
+use acrc_vm::{Locals, Reference, Value};
 
 use super::{Controller, Observer};
 use crate::motion::{ArrayPlace, Arrays};
@@ -23,8 +23,8 @@ pub enum Stopped {
 
 /// The arrays of the programs, for what follows tables in them.
 struct Tables<'a> {
-    programs: &'a [Program],
-    plcs: &'a [Plc],
+    programs: &'a mut [Program],
+    plcs: &'a mut [Plc],
 }
 
 impl Tables<'_> {
@@ -36,16 +36,27 @@ impl Tables<'_> {
     }
 }
 
+fn element(place: ArrayPlace, index: usize) -> Reference {
+    Reference::Element { class: place.class, array: place.array, element: index as i64 }
+}
+
 impl Arrays for Tables<'_> {
     fn size(&self, place: ArrayPlace) -> usize {
         let locals = self.locals(place.task);
         locals.and_then(|locals| locals.array_size(place.class, place.array)).map_or(0, |size| size as usize)
     }
 
-    fn element(&self, place: ArrayPlace, index: usize) -> f64 {
-        let reference = Reference::Element { class: place.class, array: place.array, element: index as i64 };
-        let value = self.locals(place.task).and_then(|locals| locals.read(reference).ok());
-        value.and_then(|value| value.to_f64().ok()).unwrap_or(0.0)
+    fn read(&self, place: ArrayPlace, index: usize) -> Option<f64> {
+        let value = self.locals(place.task)?.read(element(place, index)).ok()?;
+        value.to_f64().ok()
+    }
+
+    fn store(&mut self, place: ArrayPlace, index: usize, value: &Value) -> bool {
+        let locals = match place.task {
+            Task::Program(number) => self.programs.get_mut(usize::from(number)).map(|program| &mut program.locals),
+            Task::Plc(number) => self.plcs.get_mut(usize::from(number)).map(|plc| &mut plc.program.locals),
+        };
+        locals.is_some_and(|locals| locals.write(element(place, index), value).is_ok())
     }
 }
 
@@ -149,8 +160,8 @@ impl Controller {
             self.skip_to(tick - 1, observer);
         }
         let moving = self.machine.is_busy();
-        let tables = Tables { programs: &self.programs, plcs: &self.plcs };
-        self.machine.tick(&tables);
+        let mut tables = Tables { programs: &mut self.programs, plcs: &mut self.plcs };
+        self.machine.tick(&mut tables);
         if self.report_events(observer) || moving {
             self.changes.everywhere();
         }

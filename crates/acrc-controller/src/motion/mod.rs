@@ -9,7 +9,9 @@ mod gear;
 mod homing;
 mod jog;
 mod kill;
+mod limit_switch;
 mod registers;
+mod sampling;
 mod settings;
 mod sources;
 mod tables;
@@ -23,6 +25,8 @@ pub(crate) use tables::{ArrayPlace, Arrays, NoArrays};
 
 use acrc_motion::axis::KillProtocol;
 
+use limit_switch::{LIMIT_SWITCHES, Switch};
+use sampling::Sampling;
 use sources::Gates;
 
 /// What the axes have in common.
@@ -34,6 +38,8 @@ pub(crate) struct AxisMotion {
     awake: bool,
     kills: KillProtocol,
     gates: Gates,
+    limit_switches: Vec<Switch>,
+    sampling: Sampling,
     /// The flag words in which limit and home inputs lie, one bit each.
     switch_words: u64,
 }
@@ -41,7 +47,15 @@ pub(crate) struct AxisMotion {
 impl AxisMotion {
     /// Power-up.
     pub(crate) fn new() -> Self {
-        Self { stale: true, awake: true, kills: KillProtocol::default(), gates: Gates::default(), switch_words: 0 }
+        Self {
+            stale: true,
+            awake: true,
+            kills: KillProtocol::default(),
+            gates: Gates::default(),
+            limit_switches: vec![Switch::default(); LIMIT_SWITCHES],
+            sampling: Sampling::default(),
+            switch_words: 0,
+        }
     }
 
     /// Whether the next tick has something to do.
@@ -63,6 +77,7 @@ impl AxisMotion {
     /// A flag has changed that may be a switch.
     #[inline]
     pub(crate) fn touch_flag(&mut self, number: u32) {
-        self.awake |= number < 64 * u32::BITS && self.switch_words >> (number / u32::BITS) & 1 == 1;
+        let switch = number < 64 * u32::BITS && self.switch_words >> (number / u32::BITS) & 1 == 1;
+        self.awake |= switch || self.sampling.trigger == Some(number);
     }
 }

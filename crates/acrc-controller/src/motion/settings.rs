@@ -20,6 +20,8 @@ impl Machine {
             }
         }
         self.refresh_gates();
+        self.refresh_limit_switches();
+        self.refresh_sampling();
     }
 
     /// Gear, hand wheel, cam and compensation.

@@ -2,6 +2,7 @@
 
 use acrc_catalog::OperandClass;
 use acrc_motion::axis::CamPoints;
+use acrc_vm::Value;
 
 use crate::task::Task;
 
@@ -17,8 +18,10 @@ pub(crate) struct ArrayPlace {
 pub(crate) trait Arrays {
     /// Elements of an array; 0 when it does not exist.
     fn size(&self, place: ArrayPlace) -> usize;
-    /// An element; 0 outside.
-    fn element(&self, place: ArrayPlace, index: usize) -> f64;
+    /// An element. `None` outside.
+    fn read(&self, place: ArrayPlace, index: usize) -> Option<f64>;
+    /// Changes an element. False when it does not exist or cannot hold the value.
+    fn store(&mut self, place: ArrayPlace, index: usize, value: &Value) -> bool;
 }
 
 /// No arrays, where no table is read.
@@ -29,8 +32,12 @@ impl Arrays for NoArrays {
         0
     }
 
-    fn element(&self, _: ArrayPlace, _: usize) -> f64 {
-        0.0
+    fn read(&self, _: ArrayPlace, _: usize) -> Option<f64> {
+        None
+    }
+
+    fn store(&mut self, _: ArrayPlace, _: usize, _: &Value) -> bool {
+        false
     }
 }
 
@@ -43,6 +50,6 @@ pub(super) struct Points<'a> {
 impl CamPoints for Points<'_> {
     fn point(&self, segment: usize, index: usize) -> f64 {
         let place = self.segments.get(segment).copied().flatten();
-        place.map_or(0.0, |place| self.arrays.element(place, index))
+        place.and_then(|place| self.arrays.read(place, index)).unwrap_or(0.0)
     }
 }

@@ -53,7 +53,7 @@ impl Machine {
     }
 
     /// Lets a tick of `dt` seconds pass for the axes, whose masters have advanced. Without time it only looks at what has happened.
-    pub(crate) fn advance_axes(&mut self, dt: f64, arrays: &dyn Arrays) {
+    pub(crate) fn advance_axes(&mut self, dt: f64, arrays: &mut dyn Arrays) {
         if std::mem::take(&mut self.motion.stale) {
             self.refresh_axes();
         }
@@ -68,6 +68,10 @@ impl Machine {
             if awake || active || state.is_guarded() && self.axis_in_motion(axis) {
                 self.watch_axis(axis);
             }
+        }
+        if awake {
+            self.advance_limit_switches(arrays);
+            self.advance_sampling(arrays);
         }
     }
 

@@ -19,6 +19,7 @@ mod plcs;
 mod polling;
 mod programs;
 mod properties;
+mod record;
 mod reports;
 mod settings;
 mod setup;
