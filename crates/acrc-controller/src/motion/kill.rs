@@ -67,6 +67,7 @@ impl Machine {
         let stopped = axis.profilers.stop(coordinated, ramp);
         debug_assert!(stopped.is_ok(), "{stopped:?}");
         self.report_homing(index as u8, homed);
+        self.update_axis_flags(index as u8);
         self.motion.wake();
     }
 
