@@ -153,9 +153,9 @@ impl Jog {
         self.begin(Goal::Run { side, pace });
     }
 
-    /// Ramps down to rest with JOG DEC (JOG OFF).
+    /// Ramps down to rest with JOG DEC (JOG OFF), unless it ramps down already.
     pub fn off(&mut self) {
-        if self.goal != Goal::Rest {
+        if !matches!(self.goal, Goal::Rest | Goal::Stop { .. }) {
             self.begin(Goal::Stop { ramp: None });
         }
     }
