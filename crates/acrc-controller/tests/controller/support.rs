@@ -16,6 +16,9 @@ pub(crate) const TWO_AXES: &str = "SYS\nDIM P(10)\nPROG0\nATTACH MASTER0\nATTACH
 pub(crate) const THREE_AXES: &str = "SYS\nDIM P(10)\nPROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nATTACH SLAVE1 AXIS1 \"Y\"\n\
                                      ATTACH SLAVE2 AXIS2 \"Z\"\nACC 100 DEC 100 STP 100 VEL 10\n";
 
+/// Round numbers for the jog profilers of X and Y, too: a jog of 10 units takes 1.1 seconds. Registers count thousandths of a unit.
+pub(crate) const JOGS: &str = "PPU X1000 Y1000\nJOG ACC X100 Y100\nJOG DEC X100 Y100\nJOG VEL X10 Y10\n";
+
 /// A run to be made.
 pub(crate) struct Sim {
     text: String,
@@ -53,6 +56,11 @@ impl Sim {
     /// Program 0 with the axes X, Y and Z, started.
     pub(crate) fn in_space(body: &str) -> Self {
         Self::new(&format!("{THREE_AXES}PROGRAM\n{body}\nENDP\n")).start(&[0])
+    }
+
+    /// The same with [`JOGS`] and more setup code.
+    pub(crate) fn jogging(setup: &str, body: &str) -> Self {
+        Self::new(&format!("{TWO_AXES}{JOGS}{setup}\nPROGRAM\n{body}\nENDP\n")).start(&[0])
     }
 
     pub(crate) fn start(mut self, programs: &[u8]) -> Self {
@@ -212,6 +220,11 @@ impl Ran {
     /// Position of an axis in units, to a millionth.
     pub(crate) fn position(&self, axis: u8) -> f64 {
         (self.controller.view().position(axis) * 1e6).round() / 1e6
+    }
+
+    /// Velocity of an axis in units/s, to a millionth.
+    pub(crate) fn velocity(&self, axis: u8) -> f64 {
+        (self.controller.view().motion(axis).0 * 1e6).round() / 1e6
     }
 
     /// State of a flag.

@@ -47,6 +47,45 @@ fn ctrl_z_disables_the_drives_too() {
     assert!(!desk.bit(516) && !desk.bit(1024) && desk.bit(8467) && !desk.bit(8465) && !desk.bit(8497));
 }
 
+/// Both axes jog at 10 units/s and have gone 9.5 units; HLDEC takes another unit of X, and Y has none.
+fn jogging() -> Desk {
+    let mut desk = Desk::with(&format!("{TWO_AXES}JOG ACC X100 Y100\nJOG DEC X100 Y100\nJOG VEL X10 Y10\nHLDEC X50\n"));
+    desk.send("PROG0\rDRIVE ON X Y : JOG FWD X Y\r");
+    while desk.controller.view().position(0) < 9.4999 {
+        desk.controller.step(1, &mut desk.log);
+    }
+    desk
+}
+
+#[test]
+fn ctrl_x_and_ctrl_z_stop_jogs_with_hldec() {
+    for (key, drives) in [(b"\x18", true), (b"\x1a", false)] {
+        let mut desk = jogging();
+        desk.controller.receive(desk.channel, key);
+        assert!(desk.bit(8467) && desk.bit(8499) && desk.bit(522) && desk.bit(792) && !desk.bit(796));
+        assert_eq!(desk.bit(8465), drives);
+        desk.wait(0.5);
+        let view = desk.controller.view();
+        assert!((view.position(0) - 10.5).abs() < 1e-9 && (view.position(1) - 9.5).abs() < 1e-9);
+        assert!(!desk.bit(792) && !desk.bit(824));
+        assert_eq!(desk.ask("JOG FWD Y"), "Associated Slave Kill Motion Request Active\r\n");
+    }
+}
+
+#[test]
+fn ctrl_y_starts_nothing_and_lets_axes_jog_again() {
+    let mut desk = jogging();
+    desk.controller.receive(desk.channel, b"\x18");
+    desk.wait(0.5);
+    desk.controller.receive(desk.channel, b"\x19");
+    desk.wait(0.5);
+    assert!((desk.controller.view().position(0) - 10.5).abs() < 1e-9);
+    assert_eq!(desk.ask("JOG INC X-1 Y1"), "");
+    desk.wait(0.5);
+    let view = desk.controller.view();
+    assert!((view.position(0) - 9.5).abs() < 1e-9 && (view.position(1) - 10.5).abs() < 1e-9);
+}
+
 #[test]
 fn they_are_no_part_of_the_line() {
     let mut desk = Desk::machine();
