@@ -1,12 +1,6 @@
 //! Position capture and the search for an encoder marker (INTCAP, MSEEK).
 //!
-//! # Assumptions
-//!
-//! - The modes 0 to 3 capture at the rising edge of the first marker, the second marker, the first and the second
-//!   external input, the modes 4 to 7 at the falling edge; the guide uses mode 0, "rising first marker". What the modes 8
-//!   to 15 add is not known.
-//! - When the marker is found, MSEEK lets its move ramp down with DEC and then makes the captured position zero: the axis
-//!   stands as far from zero as the ramp took it.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 /// A signal that can capture a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -15,11 +15,7 @@
 //!
 //! When home was found the caller makes the position zero.
 //!
-//! # Assumptions
-//!
-//! - Limits count in every phase, also while the axis comes back to the edge.
-//! - The stop at a limit uses HLDEC.
-//! - A kill while homing counts as failed.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 use super::jog::Pace;
 use super::{Jog, JogError, Side};

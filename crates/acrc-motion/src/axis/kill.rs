@@ -13,10 +13,7 @@
 //!
 //! [`AxisProfilers::stop`]: super::AxisProfilers::stop
 //!
-//! # Assumptions
-//!
-//! - A request spreads when it is set. Clearing it for one axis leaves the others as they are.
-//! - A software limit stops every axis of the master with its own SLDEC and sets Kill All Moves, but no request.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 use crate::master::AXES;
 

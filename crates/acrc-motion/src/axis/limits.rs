@@ -5,13 +5,7 @@
 //! caller: a hardware limit sets the Kill All Motion Request of the axis, a software limit only Kill All Moves of its
 //! master (see [`KillProtocol`](super::KillProtocol)); either stops the master and all of its axes.
 //!
-//! # Assumptions
-//!
-//! - A limit stops motion towards its side only, so an axis can leave a limit once the kill is cleared; each new motion
-//!   towards it is a new stop.
-//! - Software limits look at the primary setpoint and act when it has reached the limit, so the axis comes to rest behind
-//!   it.
-//! - While an axis homes its limits do not stop it: homing reverses instead.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 use super::{HomeInputs, Side, Window};
 use crate::value::{InvalidValue, Quantity, not_negative};

@@ -5,12 +5,7 @@
 //! This is arithmetic only: a command takes the registers as they are and says what they become. The caller reads them
 //! from the profilers and writes them back.
 //!
-//! # Assumptions
-//!
-//! - GEAR RES does not move the difference anywhere, so the setpoint jumps by it.
-//! - NORM takes whole turns off the coordinated position and off the actual one alike, so nothing moves.
-//! - A locked axis keeps the distance its primary setpoint has from the other axis' at that moment. When it is unlocked,
-//!   its coordinated position takes up the difference, so it stands where it is.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 /// The position registers of one axis, all in the same unit: programming units or pulses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -9,18 +9,7 @@
 //! [`Jog::flags`] gives the jog flags of the axis' primary flags: bits 792 to 797 of axis 0, in the order of
 //! [`JogFlags`].
 //!
-//! # Assumptions
-//!
-//! - Bit 793 is set while the offset moves, or is about to move, in the negative direction; bit 794 while it moves at
-//!   exactly the set velocity; bit 795 while it ramps down to rest, for JOG OFF or before a target; bits 796 and 797
-//!   from JOG FWD or JOG REV until JOG OFF or another jog.
-//! - A command in the other direction ramps to rest with JOG DEC and then up with JOG ACC.
-//! - A target too near to stop before it is passed, and the axis comes back.
-//! - JOG INC counts from the offset at the moment of the command, also while jogging.
-//! - JOG ABS and JOG INC with a velocity of zero wait for one.
-//! - A jog ends with JOG DEC when the offset reaches a jog limit, so it comes to rest behind it; from there it can only
-//!   leave in the other direction.
-//! - A time base that runs back takes the jog back to where it was last planned, and no further.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Jog, homing, limits and kills".
 
 pub(super) mod ramp;
 mod settings;
