@@ -87,6 +87,7 @@ impl Machine {
         } else {
             map().parameter(number).is_some_and(|entry| self.registers.set(number, entry.form, &Value::Double(value)))
         };
+        self.motion.touch();
         if !fits {
             self.notes.insert(format!("an event gives P{number} a value for which the controller has no room"));
         }

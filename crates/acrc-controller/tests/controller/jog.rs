@@ -327,6 +327,19 @@ fn velocity_and_acceleration_can_be_read() {
 }
 
 #[test]
+fn a_setting_that_comes_from_outside_acts_on_the_fly() {
+    let world = "[[event]]\nat = 1\nparameters = { P12348 = 20 }\n";
+    let ran = jogging("JOG FWD X").world(world).until(2.0).run().clean();
+    assert_eq!(ran.velocity(0), 20.0);
+}
+
+#[test]
+fn a_restart_ends_jogs() {
+    let ran = jogging("JOG FWD X\nDWL 1\nREBOOT").until(3.0).run().clean();
+    assert_eq!((ran.bit(792), ran.position(0)), (false, 0.0));
+}
+
+#[test]
 fn jog_commands_take_what_they_need() {
     for (statement, fault) in [
         ("JOG ABS X", "JOG ABS expects one value behind each axis"),

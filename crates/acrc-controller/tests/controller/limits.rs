@@ -156,6 +156,12 @@ fn limits_may_be_enabled_in_motion() {
     assert_eq!((ran.position(0), ran.bit(8467)), (20.005, true));
 }
 
+#[test]
+fn settings_that_are_loaded_act_at_once() {
+    let body = "SLM X5\nSLIM X3\nESAVE\nSLIM X0\nELOAD\nX20\nDWL 3\nPRINT P12294 < 5010";
+    assert_eq!(Sim::jogging("", body).prints(), ["-1"]);
+}
+
 const SOFTWARE: &str = "SLM X(10.002, -5.002)\nSLIM X3\nSLDEC X100 Y100";
 
 #[test]
