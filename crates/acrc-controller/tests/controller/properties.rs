@@ -27,7 +27,7 @@ fn program() -> impl Strategy<Value = u8> {
 fn statement(axis: Option<&'static str>) -> BoxedStrategy<String> {
     let quiet = prop_oneof![
         8 => (0..300_u32).prop_map(|time| format!("DWL {}", f64::from(time) / 1000.0)),
-        8 => Just("PRINT P6916, P12288, P12800, P4100, P4128, P4136".to_owned()),
+        8 => Just("PRINT P6916, P12294, P12297, P12806, P12809, P4120, P4122, P4360, P4600, P4602, P4100, P4128, P4136".to_owned()),
         3 => (128..132_u32, select(&["SET", "CLR"])).prop_map(|(bit, word)| format!("{word} {bit}")),
         1 => (128..132_u32, select(&["", "-"])).prop_map(|(bit, sign)| format!("INH {sign}{bit}")),
         1 => (0..4_u32).prop_map(|input| format!("INH -{input}")),
@@ -37,13 +37,52 @@ fn statement(axis: Option<&'static str>) -> BoxedStrategy<String> {
         4 => select(LOOPS).prop_map(str::to_owned),
         1 => select(&["SET 520", "SET 521", "SET 523", "CLR 522", "MASTER1 FOV 0.5", "MASTER1 FOV 2"]).prop_map(str::to_owned),
     ];
+    // Other programs meddle with the axes of programs 0 and 8.
+    let quiet = prop_oneof![6 => quiet, 1 => meddling()];
     let Some(axis) = axis else { return quiet.boxed() };
     let moving = prop_oneof![
+        6 => jogging(axis),
         4 => (-20..20_i32, select(&["", "/"])).prop_map(move |(to, slash)| format!("{axis}{slash}{to}")),
         1 => Just("INH -516".to_owned()),
         1 => (0..3_u32).prop_map(|stop| format!("STP {}", stop * 50)),
     ];
-    prop_oneof![3 => quiet, 1 => moving].boxed()
+    prop_oneof![quiet, moving].boxed()
+}
+
+/// Orders to the jog profiler of an axis, and settings of it.
+fn jogging(axis: &'static str) -> impl Strategy<Value = String> {
+    let number = || -20..20_i32;
+    // Jog and coordinated motion of the axis are over.
+    let rest = if axis == "X" { "INH -792\nINH -516" } else { "INH -856\nINH -548" };
+    prop_oneof![
+        2 => number().prop_map(move |to| format!("JOG ABS {axis}{to}")),
+        2 => number().prop_map(move |by| format!("JOG INC {axis}{by}")),
+        2 => select(&["FWD", "REV", "OFF"]).prop_map(move |word| format!("JOG {word} {axis}")),
+        3 => select(&["1", "-1"]).prop_map(move |side| format!("{rest}\nJOG HOME {axis}{side}")),
+        2 => (select(&["VEL", "ACC", "DEC", "JRK", "HOMVF"]), 0..4_u32)
+            .prop_map(move |(word, value)| format!("JOG {word} {axis}{}", value * 50)),
+        1 => (select(&["HLIM", "SLIM"]), 0..4_u32).prop_map(move |(word, value)| format!("{word} {axis}{value}")),
+        1 => (select(&["HLDEC", "SLDEC", "SLM", "JLM"]), 0..3_u32)
+            .prop_map(move |(word, value)| format!("{word} {axis}{}", value * 9)),
+        1 => select(&["RES", "REN", "JOG REN", "JOG RES"]).prop_map(move |word| format!("{rest}\n{word} {axis}")),
+        1 => select(&["INH -792", "INH -768", "INH 794"]).prop_map(str::to_owned),
+        1 => Just(RECOVERY.to_owned()),
+    ]
+}
+
+/// Lets axes 0 to 2 move again.
+const RECOVERY: &str = "CLR 8467 : CLR 8499 : CLR 522 : CLR 8531 : CLR 554";
+
+/// Kills, recoveries, jogs by flag, homing bits and levels of switches, for axes 0 and 2.
+fn meddling() -> impl Strategy<Value = String> {
+    let flag =
+        (select(&[796_u32, 797, 795, 8467, 16_144, 16_132, 16_152, 16_154, 17_160]), select(&["SET", "CLR"]), 0..2_u32)
+            .prop_map(|(flag, word, second)| format!("{word} {}", flag + 64 * second));
+    prop_oneof![
+        3 => flag,
+        2 => Just(RECOVERY.to_owned()),
+        1 => Just("AXIS2 JOG INC 3".to_owned()),
+    ]
 }
 
 fn body(axis: Option<&'static str>) -> impl Strategy<Value = String> {
@@ -51,7 +90,7 @@ fn body(axis: Option<&'static str>) -> impl Strategy<Value = String> {
 }
 
 fn events() -> impl Strategy<Value = String> {
-    vec((0..2000_u32, 0..4_u32, any::<bool>()), 0..5).prop_map(|events| {
+    vec((0..2000_u32, 0..4_u32, any::<bool>()), 0..8).prop_map(|events| {
         let one = |(time, input, set): &(u32, u32, bool)| {
             format!("[[event]]\nat = \"{time}ms\"\n{} = [{input}]\n", if *set { "set" } else { "clear" })
         };
@@ -63,7 +102,8 @@ fn project() -> impl Strategy<Value = String> {
     (body(Some("X")), body(None), body(Some("A")), body(None)).prop_map(|(zero, one, eight, nine)| {
         format!(
             "{TWO_AXES}SYS\nDIM PROG8(2000)\nDIM PROG9(2000)\nPROG8\nATTACH MASTER1\nATTACH SLAVE0 AXIS2 \"A\"\n\
-             ACC 500 STP 500 VEL 200\nPROG0\nPROGRAM\n{zero}\nENDP\nPROG1\nPROGRAM\n{one}\nENDP\n\
+             ACC 500 STP 500 VEL 200\nJOG ACC A500\nJOG DEC A300\nJOG VEL A100\nHLBIT A1\nHLDEC A500\n\
+             PROG0\nJOG ACC X200\nJOG DEC X300\nJOG VEL X20\nJOG HOMVF X2\nHLDEC X500\nSLM X15\nPROGRAM\n{zero}\nENDP\nPROG1\nPROGRAM\n{one}\nENDP\n\
              PROG8\nPROGRAM\n{eight}\nENDP\nPROG9\nPROGRAM\n{nine}\nENDP\n"
         )
     })
@@ -82,10 +122,12 @@ fn events_in_every_tick() -> String {
 fn shown(ran: &Ran) -> String {
     let controller = &ran.controller;
     let events: Vec<_> = ran.record.events.iter().filter(|(_, note)| note != "tick").collect();
+    let flags: Vec<i64> = (32..17_664).filter(|flag| ran.bit(*flag)).collect();
     format!(
-        "{:?} {:?} {:#?} {:#?} {:#?} {:#?} {:#?} {:#?} {:?} {:?}",
+        "{:?} {:?} {:?} {:#?} {:#?} {:#?} {:#?} {:#?} {:#?} {:?} {:?}",
         ran.stopped,
         controller.seconds(),
+        flags,
         ran.record.output,
         ran.record.faults,
         events,
