@@ -63,6 +63,9 @@ pub(crate) const CHECKS: &[(u8, &[Check])] = &[
 
 /// Registers of axis 0: coordinated position, primary and secondary setpoint, actual position, jog offset.
 const REGISTERS: [&str; 5] = ["P12288", "P12294", "P12295", "P12290", "P12297"];
+/// Gear and cam offset of the figures.
+const GEAR: i32 = 3;
+const CAM: i32 = 4;
 
 /// The file for some seconds.
 fn ran(listing: &Listing, seconds: f64) -> Bench {
@@ -136,10 +139,11 @@ fn diamond_ends(listing: &Listing, fact: &Fact) {
     assert_eq!(ends, fact.points());
 }
 
-/// A terminal with the coordinated position and the jog offset of X. Gear and cam are 0.
-fn registers(listing: &Listing, coordinated: i32, jog: i32) -> Bench {
+/// A terminal with the coordinated position and the offsets of X.
+fn registers(listing: &Listing, [coordinated, jog, gear, cam]: [i32; 4]) -> Bench {
     let mut bench = Bench::terminal(listing);
-    for line in [format!("P12288={coordinated}"), format!("P12297={jog}")] {
+    let offsets = [format!("GEAR RES X{gear}"), format!("CAM RES X{cam}")];
+    for line in offsets.into_iter().chain([format!("P12288={coordinated}"), format!("P12297={jog}")]) {
         assert_eq!(bench.ask(&line), "");
     }
     bench
@@ -155,34 +159,33 @@ fn command(bench: &mut Bench, listing: &Listing, line: &str, expected: [f64; 5])
 }
 
 fn match_position(listing: &Listing, _: &Fact) {
-    // The jog offset stands for the three of them.
-    let mut bench = registers(listing, 0, 2 + 3 + 4);
+    let mut bench = registers(listing, [0, 2, GEAR, CAM]);
     assert_eq!(bench.ask("P12290=11"), "");
-    command(&mut bench, listing, "REN X", [2.0, 11.0, 11.0, 11.0, 9.0]);
+    command(&mut bench, listing, "REN X", [2.0, 11.0, 11.0, 11.0, 2.0]);
 }
 
 fn preload_all(listing: &Listing, _: &Fact) {
-    command(&mut registers(listing, 2, 2), listing, "RES X10", [10.0, 10.0, 10.0, 10.0, 0.0]);
+    command(&mut registers(listing, [2, 2, GEAR, CAM]), listing, "RES X10", [10.0, 10.0, 10.0, 10.0, 0.0]);
 }
 
 fn zero_all(listing: &Listing, fact: &Fact) {
-    command(&mut registers(listing, 2, 2), listing, "RES", [fact.number(); 5]);
+    command(&mut registers(listing, [2, 2, GEAR, CAM]), listing, "RES", [fact.number(); 5]);
 }
 
 fn coordinated_to_jog(listing: &Listing, _: &Fact) {
-    command(&mut registers(listing, 2, 2), listing, "JOG REN X", [0.0, 4.0, 4.0, 4.0, 4.0]);
+    command(&mut registers(listing, [2, 2, GEAR, CAM]), listing, "JOG REN X", [0.0, 11.0, 11.0, 11.0, 4.0]);
 }
 
 fn coordinated_preload(listing: &Listing, _: &Fact) {
-    command(&mut registers(listing, 5, 1), listing, "JOG REN X2", [2.0, 6.0, 6.0, 6.0, 4.0]);
+    command(&mut registers(listing, [5, 1, 0, 0]), listing, "JOG REN X2", [2.0, 6.0, 6.0, 6.0, 4.0]);
 }
 
 fn jog_to_coordinated(listing: &Listing, _: &Fact) {
-    command(&mut registers(listing, 2, 2), listing, "JOG RES X", [4.0, 4.0, 4.0, 4.0, 0.0]);
+    command(&mut registers(listing, [2, 2, GEAR, CAM]), listing, "JOG RES X", [4.0, 11.0, 11.0, 11.0, 0.0]);
 }
 
 fn jog_preload(listing: &Listing, _: &Fact) {
-    command(&mut registers(listing, 1, 5), listing, "JOG RES X2", [4.0, 6.0, 6.0, 6.0, 2.0]);
+    command(&mut registers(listing, [1, 5, 0, 0]), listing, "JOG RES X2", [4.0, 6.0, 6.0, 6.0, 2.0]);
 }
 
 fn independent_axes(listing: &Listing, _: &Fact) {
