@@ -2,9 +2,10 @@
 
 use acrc_image::UnitName;
 
+use crate::account::{Account, Begins, Route};
 use crate::fault::FaultKind;
 use crate::functions::AngleUnit;
-use crate::op::Step;
+use crate::op::Op;
 use crate::plan::Plan;
 use crate::value::Value;
 
@@ -12,7 +13,11 @@ use crate::value::Value;
 #[derive(Clone, Debug)]
 pub struct Code {
     pub(crate) name: UnitName,
-    pub(crate) steps: Box<[Step]>,
+    pub(crate) ops: Box<[Op]>,
+    /// One for each instruction, and one for the end.
+    pub(crate) accounts: Box<[Account]>,
+    /// One for each instruction; those of jumps count.
+    pub(crate) routes: Box<[Route]>,
     /// Strings and other constants of the value file.
     pub(crate) constants: Box<[Value]>,
     /// Real constants, with 32 bits and as the decimal that was written.
@@ -118,6 +123,12 @@ impl Code {
         &self.unconfirmed
     }
 
+    /// Whether an instruction is slow and begins nothing.
+    pub(crate) fn continues_slowly(&self, pc: u32) -> bool {
+        let begins = self.accounts.get(pc as usize).map(|account| account.begins);
+        begins == Some(Begins::Nothing) && self.ops.get(pc as usize).is_some_and(Op::is_slow)
+    }
+
     /// Where the statement of an instruction begins.
     pub(crate) fn statement_start(&self, pc: u32) -> u32 {
         self.statement(pc).map_or(pc, |mark| mark.pc)
@@ -125,7 +136,7 @@ impl Code {
 
     /// Where the program goes on behind the statement of an instruction and all that depends on it.
     pub(crate) fn next_statement(&self, pc: u32) -> u32 {
-        self.statement(pc).map_or(self.steps.len().saturating_sub(1) as u32, |mark| mark.behind)
+        self.statement(pc).map_or(self.ops.len().saturating_sub(1) as u32, |mark| mark.behind)
     }
 
     fn statement(&self, pc: u32) -> Option<&StatementMark> {

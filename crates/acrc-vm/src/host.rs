@@ -69,8 +69,11 @@ pub trait Host {
         false
     }
 
-    /// Called before every statement with its place ([`crate::Code::location`]): for tracing and coverage. Costs
-    /// nothing when it is not written.
+    /// Whether [`Host::statement`] is called, which takes time.
+    const WATCHES_STATEMENTS: bool = false;
+
+    /// Called before every statement with its place ([`crate::Code::location`]), for tracing and coverage, if
+    /// [`Host::WATCHES_STATEMENTS`] says so.
     #[inline]
     fn statement(&mut self, pc: u32) {
         let _ = pc;

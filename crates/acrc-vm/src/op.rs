@@ -107,28 +107,6 @@ pub(crate) enum DeviceQuery {
     Waits,
 }
 
-/// What begins with an instruction.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Begins {
-    /// Nothing: it continues a statement.
-    #[default]
-    Nothing,
-    /// The first statement of a line.
-    Line,
-    /// Any other statement.
-    Statement,
-}
-
-/// An instruction in its place.
-///
-/// That a statement begins is a mark of its first instruction instead of an instruction of its own, because every
-/// instruction costs a dispatch and most statements have only one or two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    pub(crate) op: Op,
-    pub(crate) begins: Begins,
-}
-
 /// One instruction. `to` is written, everything else is read.
 ///
 /// The first word of a name is the file that the operands are in.
@@ -206,6 +184,9 @@ pub(crate) enum Op {
     StoreLongElement { array: u16, element: Slot, from: Slot },
     LoadDoubleElement { to: Slot, array: u16, element: Slot },
     StoreDoubleElement { array: u16, element: Slot, from: Slot },
+    /// `LA0(n) = LA0(n) + right`
+    AddLongElement { array: u16, element: Slot, right: Slot },
+    AddDoubleElement { array: u16, element: Slot, right: Slot },
     /// A variable by a computed number, through the file of values.
     LoadVariable { class: OperandClass, to: Slot, index: Slot },
     StoreVariable { class: OperandClass, index: Slot, from: Slot },
@@ -216,6 +197,8 @@ pub(crate) enum Op {
     // Parameters and flags.
     LoadUser { to: Slot, number: u16 },
     StoreUser { number: u16, from: Slot },
+    /// `P0 = P0 + value`
+    AddUserConst { number: u16, value: f64 },
     LoadParameter { to: Slot, number: i32 },
     LoadParameterAt { to: Slot, number: Slot },
     StoreParameter { number: i32, from: Slot },
@@ -238,6 +221,7 @@ pub(crate) enum Op {
     /// `IF (n MOD divisor = value)`, the usual way to do something in every so manieth pass.
     JumpUnlessRem { relation: Relation, left: Slot, divisor: i32, value: i32, target: u32 },
     JumpUnlessDouble { relation: Relation, left: Slot, right: Slot, target: u32 },
+    JumpUnlessDoubleConst { relation: Relation, left: Slot, value: f64, target: u32 },
     /// Jumps when a flag is clear, or when it is set.
     JumpUnlessBit { number: i32, state: bool, target: u32 },
     Gosub { target: u32 },
@@ -264,9 +248,67 @@ pub(crate) enum Op {
 }
 
 // The size of an instruction is felt in every loop.
-const _: () = assert!(size_of::<Step>() <= 24);
+const _: () = assert!(size_of::<Op>() <= 16);
 
 impl Op {
+    /// Whether what follows in the list is not executed right behind it.
+    pub(crate) const fn leaves(&self) -> bool {
+        matches!(
+            self,
+            Self::Jump { .. } | Self::Again { .. } | Self::Gosub { .. } | Self::Return | Self::End | Self::Call { .. }
+        )
+    }
+
+    /// Whether the loop of the numbers leaves it to others.
+    pub(crate) const fn is_slow(&self) -> bool {
+        matches!(
+            self,
+            Self::DoublePower { .. }
+                | Self::DoubleMath { .. }
+                | Self::Random { .. }
+                | Self::ValueConst { .. }
+                | Self::ValueMove { .. }
+                | Self::ValueNegate { .. }
+                | Self::ValueAbs { .. }
+                | Self::ValueOperate { .. }
+                | Self::RealCompare { .. }
+                | Self::TextJoin { .. }
+                | Self::TextCompare { .. }
+                | Self::TextCall { .. }
+                | Self::Device { .. }
+                | Self::LongToValue { .. }
+                | Self::DoubleToValue { .. }
+                | Self::SingleToValue { .. }
+                | Self::ValueToLong { .. }
+                | Self::ValueToDouble { .. }
+                | Self::ValueTruth { .. }
+                | Self::LoadText { .. }
+                | Self::StoreText { .. }
+                | Self::LoadVariable { .. }
+                | Self::StoreVariable { .. }
+                | Self::LoadElement { .. }
+                | Self::StoreElement { .. }
+                | Self::LoadParameter { .. }
+                | Self::LoadParameterAt { .. }
+                | Self::StoreParameter { .. }
+                | Self::StoreParameterAt { .. }
+                | Self::LoadBit { .. }
+                | Self::LoadBitAt { .. }
+                | Self::StoreBit { .. }
+                | Self::StoreBitAt { .. }
+                | Self::SetBit { .. }
+                | Self::JumpUnlessBit { .. }
+                | Self::Dim { .. }
+                | Self::Clear
+                | Self::Call { .. }
+        )
+    }
+
+    /// Where it jumps to, for jumps.
+    pub(crate) fn target(mut self) -> Option<u32> {
+        self.target_mut().copied()
+    }
+
     /// Where it jumps to, for jumps.
     pub(crate) fn target_mut(&mut self) -> Option<&mut u32> {
         match self {
@@ -277,6 +319,7 @@ impl Op {
             | Self::JumpUnlessLongConst { target, .. }
             | Self::JumpUnlessRem { target, .. }
             | Self::JumpUnlessDouble { target, .. }
+            | Self::JumpUnlessDoubleConst { target, .. }
             | Self::JumpUnlessBit { target, .. }
             | Self::Gosub { target }
             | Self::LoopTest { target, .. }

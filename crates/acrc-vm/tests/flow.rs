@@ -282,7 +282,7 @@ fn a_program_starts_over_after_a_reset() {
 #[test]
 fn every_statement_is_reported_before_it_runs() {
     let mut machine = Machine::new("P0 = 1 : P1 = 2\nIF (P0 = 2) THEN P1 = 3\nRETURN");
-    machine.finish();
+    machine.run_watched(Budget::lines(9));
     let places: Vec<_> =
         machine.bench.trace.iter().map(|pc| machine.code.location(*pc)).map(|at| (at.line, at.statement)).collect();
     assert_eq!(places, [(1, 1), (1, 2), (2, 1), (3, 1)]);

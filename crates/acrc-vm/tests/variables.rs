@@ -139,3 +139,33 @@ fn a_controller_reads_and_writes_by_reference() {
     assert!(machine.locals.write(variable, &Value::Text("x".into())).is_err());
     assert!(machine.locals.read(Reference::Array { class: OperandClass::Da, array: 0 }).is_err());
 }
+
+#[test]
+fn a_sum_in_place_is_a_sum() {
+    let program = "DIM LV(2)\nDIM LA(1) : DIM LA0(3)\nDIM DA(1) : DIM DA0(2)\nLV1 = 7\n\
+        LA0(1) = LA0(1) + LV1 : LA0(1) = LA0(1) + LA0(1) : LA0(LV0) = LA0(LV0) + 2147483647 : LA0(0) = LA0(0) + LV1\n\
+        DA0(1) = 1.5 : DA0(1) = DA0(1) + DA0(1) : DA0(1) = DA0(1) + P0 : P0 = P0 + 0.25 : P0 = P0 - 1\n\
+        PRINT LA0(0); \",\"; LA0(1); \",\"; DA0(1); \",\"; P0";
+    assert_eq!(output(program), "-2147483642,14,3,-0.75\r\n");
+    for (statement, fault) in [
+        ("LA0(LV0) = LA0(LV0) + LV1", "LV0 has no memory: no DIM LV was executed"),
+        ("LA0(2) = LA0(2) + LV1", "LA0 has no memory: no DIM LA was executed"),
+        ("DIM LA(1) : DIM LA0(3) : LA0(2) = LA0(2) + LV1", "LV1 has no memory: no DIM LV was executed"),
+        ("DIM DV(1) : DIM DA(1) : DIM DA0(2) : DA0(2) = DA0(2) + DV0", "DA0(2) is outside DIM DA0(2)"),
+        (
+            "DIM DV(1) : DIM DA(1) : DIM DA0(1) : DV0 = 1E308 : DA0(0) = DV0 : DA0(0) = DA0(0) + DV0",
+            "the result of + is beyond the range of numbers",
+        ),
+        ("P0 = 1E308 : P0 = P0 + 1E308", "the result of + is beyond the range of numbers"),
+    ] {
+        let place = 1 + statement.matches(" : ").count();
+        assert_eq!(output(statement), format!("{fault} [line 1, statement {place}]"));
+    }
+}
+
+#[test]
+fn conditions_with_real_constants_hold_either_way_round() {
+    let program = "DIM DV(1)\nFOR DV0 = -1 TO 1 STEP 0.5\nIF (DV0 < 0.5) THEN PRINT \"a\";\nIF (0.5 > DV0) THEN PRINT \"b\";\n\
+        IF (DV0 >= 0) THEN PRINT \"c\";\nIF (0 <= DV0) THEN PRINT \"d\";\nIF (DV0 = 0.5) THEN PRINT \"e\";\nPRINT \"|\";\nNEXT";
+    assert_eq!(output(program), "ab|ab|abcd|cde|cd|");
+}

@@ -168,7 +168,7 @@ pub(super) fn beside_single(place: &Place) -> Place {
 }
 
 /// A constant as a double.
-fn constant_double(place: &Place) -> Option<f64> {
+pub(super) fn constant_double(place: &Place) -> Option<f64> {
     match *place {
         Place::LongConst(value) => Some(f64::from(value)),
         Place::DoubleConst(value) => Some(value),

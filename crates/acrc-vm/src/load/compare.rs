@@ -6,20 +6,21 @@
 use acrc_catalog::{OperandClass, UnaryOperator};
 use acrc_image::Node;
 
-use super::arithmetic::beside_single;
+use super::arithmetic::{beside_single, constant_double};
 use super::error::LoadErrorKind;
 use super::expression::{Hint, OperatorKind, kind_of};
 use super::place::{Kind, Place};
-use super::{Jump, Loader, Scratch};
+use super::{Jump, Loader, Scratch, Step};
 use crate::code::Real;
 use crate::fault::FaultKind;
-use crate::op::{LongRange, Op, Relation, SCRATCH, Slot, Step};
+use crate::op::{LongRange, Op, Relation, SCRATCH, Slot};
 
 /// The operands of a relation, brought to one file.
 enum Operands {
     Long(Slot, Slot),
     LongConst(Slot, i32),
     Double(Slot, Slot),
+    DoubleConst(Slot, f64),
     /// A value against a real constant.
     Real(Slot, u32),
     Text(Slot, Slot),
@@ -38,6 +39,7 @@ impl Loader<'_> {
         let Some((relation, operands)) = self.operands(relation, left, right)? else { return Ok(Place::LongConst(0)) };
         let operands = match operands {
             Operands::LongConst(left, value) => Operands::Long(left, self.long(&Place::LongConst(value))?),
+            Operands::DoubleConst(left, value) => Operands::Double(left, self.double(&Place::DoubleConst(value))?),
             other => other,
         };
         self.scratch = mark;
@@ -46,6 +48,7 @@ impl Loader<'_> {
             Operands::Long(left, right) => Op::LongCompare { relation, to, left, right },
             Operands::LongConst(left, _) => Op::LongCompare { relation, to, left, right: left },
             Operands::Double(left, right) => Op::DoubleCompare { relation, to, left, right },
+            Operands::DoubleConst(left, _) => Op::DoubleCompare { relation, to, left, right: left },
             Operands::Real(left, index) => Op::RealCompare { relation, to, left, index },
             Operands::Text(left, right) => Op::TextCompare { relation, to, left, right },
         });
@@ -82,7 +85,13 @@ impl Loader<'_> {
                     let (left, right) = (beside_single(left), beside_single(right));
                     Operands::Double(self.double(&left)?, self.double(&right)?)
                 }
-                _ => Operands::Double(self.double(left)?, self.double(right)?),
+                _ => match (constant_double(left), constant_double(right)) {
+                    (_, Some(value)) => Operands::DoubleConst(self.double(left)?, value),
+                    (Some(value), None) => {
+                        return Ok(Some((relation.swapped(), Operands::DoubleConst(self.double(right)?, value))));
+                    }
+                    (None, None) => Operands::Double(self.double(left)?, self.double(right)?),
+                },
             },
         };
         Ok(Some((relation, operands)))
@@ -132,6 +141,7 @@ impl Loader<'_> {
                 }
             },
             Operands::Double(left, right) => Op::JumpUnlessDouble { relation, left, right, target },
+            Operands::DoubleConst(left, value) => Op::JumpUnlessDoubleConst { relation, left, value, target },
             Operands::Real(left, index) => {
                 let from = self.long_slot()?;
                 self.emit(Op::RealCompare { relation, to: from, left, index });

@@ -23,10 +23,11 @@ use acrc_image::{Alias, Instruction, Node, Separator, Unit, UnitName};
 use self::blocks::Role;
 pub use self::error::{LoadError, LoadErrorKind};
 use self::place::Scratch;
+use crate::account::{Account, Begins, Route, accounts};
 use crate::code::{Code, Doubt, Location, Real, StatementMark, Unconfirmed};
 use crate::fault::FaultKind;
 use crate::functions::AngleUnit;
-use crate::op::{Begins, Op, Step};
+use crate::op::Op;
 use crate::plan::Plan;
 use crate::value::Value;
 
@@ -53,6 +54,13 @@ enum Jump {
 struct Addresses {
     entry: u32,
     start: u32,
+}
+
+/// An instruction and what begins with it.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    op: Op,
+    begins: Begins,
 }
 
 /// The state of a load.
@@ -208,10 +216,14 @@ impl Loader<'_> {
         for (place, mark) in self.statements.iter_mut().enumerate() {
             mark.behind = address(blocks::last_dependent(&self.roles, place) + 1).entry;
         }
+        let accounts = accounts(self.steps.iter().map(|step| (step.begins, step.op)));
+        let routes = self.routes(&accounts);
         let loops = self.roles.iter().filter(|role| matches!(role, Role::For { .. })).count();
         Code {
             name,
-            steps: self.steps.into(),
+            ops: self.steps.iter().map(|step| step.op).collect(),
+            accounts,
+            routes,
             constants: self.constants.into(),
             reals: self.reals.into(),
             plans: self.plans.into(),
@@ -222,5 +234,14 @@ impl Loader<'_> {
             statements: self.statements.into(),
             unconfirmed: self.unconfirmed.into(),
         }
+    }
+
+    /// What each jump does to the account.
+    fn routes(&self, accounts: &[Account]) -> Box<[Route]> {
+        let route = |(step, behind): (&Step, &Account)| {
+            let at = step.op.target().and_then(|target| accounts.get(target as usize));
+            at.map_or_else(Route::default, |at| Route::new(behind, at))
+        };
+        self.steps.iter().zip(accounts.iter().skip(1)).map(route).collect()
     }
 }

@@ -7,6 +7,7 @@ use acrc_image::{Alias, Node};
 use super::Loader;
 use super::error::LoadErrorKind;
 use super::place::{Kind, Place};
+use crate::account::Begins;
 use crate::fault::FaultKind;
 use crate::locals::variable_slot;
 use crate::op::{Op, Relation, Slot};
@@ -215,11 +216,15 @@ impl Loader<'_> {
             }
             Target::LongElement(array, element) => {
                 let from = self.long(place)?;
-                self.emit(Op::StoreLongElement { array, element, from });
+                if !self.add_in_place(target, from) {
+                    self.emit(Op::StoreLongElement { array, element, from });
+                }
             }
             Target::DoubleElement(array, element) => {
                 let from = self.double(place)?;
-                self.emit(Op::StoreDoubleElement { array, element, from });
+                if !self.add_in_place(target, from) {
+                    self.emit(Op::StoreDoubleElement { array, element, from });
+                }
             }
             Target::Variable(class, index) => {
                 let from = self.value(place)?;
@@ -231,7 +236,9 @@ impl Loader<'_> {
             }
             Target::User(number) => {
                 let from = self.double(place)?;
-                self.emit(Op::StoreUser { number, from });
+                if !self.add_in_place(target, from) {
+                    self.emit(Op::StoreUser { number, from });
+                }
             }
             Target::Parameter(index) => {
                 let from = self.number(place)?;
@@ -250,6 +257,41 @@ impl Loader<'_> {
             Target::Whole(..) => return Err(LoadErrorKind::NotAssignable),
         }
         Ok(())
+    }
+
+    /// Replaces the latest two instructions if they add something to the old value of what their sum is to be stored in.
+    fn add_in_place(&mut self, target: Target, sum: Slot) -> bool {
+        let [.., load, add] = self.steps.as_slice() else { return false };
+        let op = match (target, load.op, add.op) {
+            (
+                Target::LongElement(array, element),
+                Op::LoadLongElement { to: old, array: of, element: at },
+                Op::LongAdd { to, left, right },
+            ) if (of, at, left, to) == (array, element, old, sum) && right != old => {
+                Op::AddLongElement { array, element, right }
+            }
+            (
+                Target::DoubleElement(array, element),
+                Op::LoadDoubleElement { to: old, array: of, element: at },
+                Op::DoubleAdd { to, left, right },
+            ) if (of, at, left, to) == (array, element, old, sum) && right != old => {
+                Op::AddDoubleElement { array, element, right }
+            }
+            (Target::User(number), Op::LoadUser { to: old, number: of }, Op::DoubleAddConst { to, left, value })
+                if (of, left, to) == (number, old, sum) =>
+            {
+                Op::AddUserConst { number, value }
+            }
+            _ => return false,
+        };
+        // The sum belongs to the statement that the load began, if it began any.
+        if add.begins != Begins::Nothing {
+            return false;
+        }
+        self.begins = load.begins;
+        self.steps.truncate(self.steps.len() - 2);
+        self.emit(op);
+        true
     }
 
     /// A long that is zero only when the place is zero.

@@ -9,9 +9,10 @@ use super::expression::Hint;
 use super::operand::Target;
 use super::place::Place;
 use super::{Jump, Loader};
+use crate::account::Begins;
 use crate::fault::FaultKind;
 use crate::locals::DimBlock;
-use crate::op::{Begins, Op};
+use crate::op::Op;
 use crate::own::{Own, own};
 
 impl Loader<'_> {

@@ -90,15 +90,18 @@ impl<T: Clone + Default> Arrays<T> {
 
     /// An element, with the numbers in the types in which instructions have them.
     #[inline]
-    pub(crate) fn element(&mut self, array: u16, element: i32) -> Result<&mut T, FaultKind> {
+    pub(crate) fn element(&mut self, array: u16, element: i32) -> Option<&mut T> {
         // A negative number becomes one beyond every array.
-        let place = element as u32 as usize;
-        let class = self.class;
-        let count = self.arrays.len();
-        match self.arrays.get_mut(usize::from(array)) {
-            Some(block) if place < block.items.len() => Ok(&mut block.items[place]),
-            Some(block) => Err(block.missing(class, i64::from(array), i64::from(element))),
-            None => Err(no_such_array(class, i64::from(array), count)),
+        self.arrays.get_mut(usize::from(array))?.items.get_mut(element as u32 as usize)
+    }
+
+    /// Why an element is not there.
+    #[cold]
+    pub(crate) fn missing(&self, array: u16, element: i32) -> FaultKind {
+        let (array, element) = (i64::from(array), i64::from(element));
+        match self.arrays.get(array as usize) {
+            Some(block) => block.missing(self.class, array, element),
+            None => no_such_array(self.class, array, self.arrays.len()),
         }
     }
 

@@ -12,6 +12,7 @@ mod slow;
 mod steps;
 mod values;
 
+use crate::account::{Account, LINE, STATEMENTS_PER_LINE};
 use crate::code::Code;
 use crate::fault::{Fault, FaultKind};
 use crate::frame::Frame;
@@ -30,17 +31,14 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Statements that count as one line: far more than a line holds, so that only a loop within one line meets it.
-    const STATEMENTS_PER_LINE: u32 = 256;
-
     /// Lines that one run executes at most, so that its statements can be counted with 32 bits.
-    const MOST_LINES: u32 = u32::MAX / Self::STATEMENTS_PER_LINE;
+    const MOST_LINES: u32 = u32::MAX / STATEMENTS_PER_LINE;
 
     /// A number of lines, as the scheduler of a controller grants them; at most sixteen million at once. What a program
     /// does is the same whether its lines are cut into several budgets or not.
     pub const fn lines(lines: u32) -> Self {
         let units = if lines < Self::MOST_LINES { lines } else { Self::MOST_LINES };
-        Self { units, extent: Self::STATEMENTS_PER_LINE - 1 }
+        Self { units, extent: STATEMENTS_PER_LINE - 1 }
     }
 
     /// A number of statements, wherever they stand.
@@ -88,7 +86,7 @@ struct Meter {
 
 impl Meter {
     /// A unit of `count`.
-    const UNIT: u64 = 1 << 32;
+    const UNIT: u64 = LINE as u64;
 
     fn new(budget: Budget) -> Self {
         let Budget { units, extent } = budget;
@@ -109,6 +107,20 @@ impl Meter {
             self.left -= 1;
         }
         true
+    }
+
+    /// The balance with which the program goes on behind the line that was begun just now; `None` when its statements
+    /// have to be counted one by one.
+    #[inline]
+    fn balance(&self, line: &Account, behind: &Account) -> Option<i64> {
+        let balance = behind.balance(self.count);
+        (self.extent > 0 && balance >= line.least()).then_some(balance)
+    }
+
+    /// Takes note of what was used with a balance, up to an account.
+    fn settle(&mut self, balance: i64, behind: &Account) {
+        self.count = behind.count(balance);
+        self.left = u32::from(behind.left);
     }
 
     /// Units that were used.
@@ -170,11 +182,15 @@ fn execute<H: Host>(
         match steps::steps(code, frame, locals, host, meter)? {
             Exit::Ended => return Ok(Stop::Ended),
             Exit::Budget => return Ok(Stop::Budget),
-            Exit::Slow => {
+            Exit::Slow => loop {
                 if let Some(stop) = slow::slow(code, frame, locals, host, meter)? {
                     return Ok(stop);
                 }
-            }
+                // What is left of a statement is often slow as well.
+                if !code.continues_slowly(frame.pc) {
+                    break;
+                }
+            },
         }
     }
 }

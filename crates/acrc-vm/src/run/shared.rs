@@ -6,16 +6,7 @@ use crate::fault::FaultKind;
 use crate::host::Host;
 use crate::op::Op;
 
-/// Reads a flag.
-#[inline(never)]
-pub(super) fn bit<H: Host>(host: &mut H, used: u32, number: i32) -> Result<bool, FaultKind> {
-    host.reached(used);
-    host.bit(i64::from(number))
-}
-
-/// Executes an instruction on parameters and flags. It stands apart from the loop of the numbers, because what a host
-/// does would take its registers.
-#[inline(never)]
+/// Executes an instruction on parameters and flags.
 pub(super) fn execute<H: Host>(op: Op, host: &mut H, meter: &mut Meter, mut files: Files) -> Result<(), FaultKind> {
     host.reached(meter.used());
     match op {
@@ -24,6 +15,7 @@ pub(super) fn execute<H: Host>(op: Op, host: &mut H, meter: &mut Meter, mut file
             let number = files.long(number)?;
             return files.set_value(to, host.parameter(i64::from(number))?);
         }
+        Op::LoadBit { to, number } => return files.set_long(to, -i32::from(host.bit(i64::from(number))?)),
         Op::LoadBitAt { to, number } => {
             let number = files.long(number)?;
             return files.set_long(to, -i32::from(host.bit(i64::from(number))?));

@@ -1,10 +1,13 @@
-//! Instructions that need the whole machine: calls of the host, memory, strings, variables by computed numbers.
+//! Instructions that need the whole machine: calls of the host, memory, strings, variables by computed numbers,
+//! functions. In the loop of the numbers each of them would take registers from all others.
 
+use super::arithmetic::random_bound;
 use super::calls::{self, Files};
-use super::{Meter, Stop};
+use super::{Meter, Stop, shared, values};
 use crate::code::Code;
 use crate::fault::FaultKind;
 use crate::frame::Frame;
+use crate::functions::power;
 use crate::host::Host;
 use crate::locals::{DimBlock, Locals, Sizes};
 use crate::op::{DeviceQuery, Op, Slot};
@@ -19,8 +22,8 @@ pub(super) fn slow<H: Host>(
     host: &mut H,
     meter: &mut Meter,
 ) -> Result<Option<Stop>, FaultKind> {
-    let Some(step) = code.steps.get(frame.pc as usize) else { return Ok(Some(Stop::Ended)) };
-    match step.op {
+    let Some(op) = code.ops.get(frame.pc as usize).copied() else { return Ok(Some(Stop::Ended)) };
+    match op {
         Op::Call { index } => {
             host.reached(meter.used());
             let stop = calls::call(code, frame, locals, host, index);
@@ -28,6 +31,13 @@ pub(super) fn slow<H: Host>(
                 meter.revoke();
             }
             return stop;
+        }
+        Op::JumpUnlessBit { number, state, target } => {
+            host.reached(meter.used());
+            if host.bit(i64::from(number))? != state {
+                frame.pc = target;
+                return Ok(None);
+            }
         }
         Op::Device { query, to, device } => {
             let device = long(locals, device)?;
@@ -50,7 +60,7 @@ pub(super) fn slow<H: Host>(
             set(frame, to, value);
         }
         Op::LoadVariable { .. } | Op::StoreVariable { .. } | Op::LoadElement { .. } | Op::StoreElement { .. } => {
-            variable(step.op, frame, locals)?;
+            variable(op, frame, locals)?;
         }
         Op::Dim { block, array, count, length } => {
             let sizes =
@@ -68,10 +78,47 @@ pub(super) fn slow<H: Host>(
             locals.clear_moves();
             host.move_buffer(0);
         }
-        _ => {}
+        _ => on_files(code, frame, locals, host, meter, op)?,
     }
     frame.pc += 1;
     Ok(None)
+}
+
+/// What only works on the files, or between them and the host.
+fn on_files<H: Host>(
+    code: &Code,
+    frame: &mut Frame,
+    locals: &mut Locals,
+    host: &mut H,
+    meter: &mut Meter,
+    op: Op,
+) -> Result<(), FaultKind> {
+    let Locals { longs, doubles, texts, .. } = locals;
+    let mut files = values::Files { longs, doubles, values: &mut frame.values };
+    match op {
+        Op::DoublePower { to, left, right } => {
+            let result = power(files.double(left)?, files.double(right)?)?;
+            files.set_double(to, result)
+        }
+        Op::DoubleMath { function, to, from } => {
+            let result = function.evaluate(files.double(from)?, code.angle)?;
+            files.set_double(to, result)
+        }
+        Op::Random { to, below } => {
+            let below = random_bound(files.double(below)?)?;
+            files.set_double(to, f64::from(host.random(below)))
+        }
+        Op::LoadParameter { .. }
+        | Op::LoadParameterAt { .. }
+        | Op::StoreParameter { .. }
+        | Op::StoreParameterAt { .. }
+        | Op::LoadBit { .. }
+        | Op::LoadBitAt { .. }
+        | Op::StoreBit { .. }
+        | Op::StoreBitAt { .. }
+        | Op::SetBit { .. } => shared::execute(op, host, meter, files),
+        _ => values::execute(op, code, files, texts),
+    }
 }
 
 /// A variable or element through the file of values.

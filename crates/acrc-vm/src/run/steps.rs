@@ -1,20 +1,20 @@
 //! The loop that executes instructions.
 //!
 //! It holds the files as slices, so it must not change their lengths: what does (`DIM`, `CLEAR`) and what is rare or
-//! large anyway leaves it and is executed in [`super::slow`].
+//! large anyway leaves it and is executed in [`super::slow`]. Statements are only counted where the budget may not
+//! suffice up to the next jump ([`crate::account`]).
 
 use acrc_catalog::OperandClass;
 
-use super::arithmetic::{finite, long_operate, quotient, random_bound, remainder};
-use super::values::{self, Files};
-use super::{Exit, Meter, shared};
+use super::arithmetic::{finite, long_operate, quotient, remainder};
+use super::{Exit, Meter};
+use crate::account::{Begins, Route};
 use crate::code::Code;
 use crate::fault::FaultKind;
 use crate::frame::Frame;
-use crate::functions::power;
 use crate::host::Host;
 use crate::locals::{Locals, round_to_single};
-use crate::op::{Begins, Op, SCRATCH, Slot};
+use crate::op::{Op, SCRATCH, Slot};
 use crate::value::double_to_long;
 
 /// Executes instructions until one of them needs the whole machine. The frame then points at that instruction; on a
@@ -34,9 +34,11 @@ pub(super) fn steps<H: Host>(
     let (limit, used) = (locals.limit(), locals.used() + frame.reserved);
     let longs = locals.longs.as_mut_slice();
     let doubles = locals.doubles.as_mut_slice();
-    let steps = &*code.steps;
-    let mut pc = frame.pc as usize;
-    let mut count = *meter;
+    let ops = &*code.ops;
+    // The instructions that may be executed without counting, and the place where they end.
+    let mut ahead = [].iter();
+    let mut end = frame.pc as usize;
+    let mut balance = OVERDRAWN;
 
     let result = loop {
         // Breaks the loop with a fault.
@@ -82,20 +84,71 @@ pub(super) fn steps<H: Host>(
                 }
             }};
         }
-        // Accounts for what begins with the instruction at `pc`.
-        macro_rules! begin {
-            ($begins:expr) => {
-                if $begins != Begins::Nothing {
-                    if !count.begin($begins == Begins::Line) {
-                        break Ok(Exit::Budget);
+        macro_rules! element {
+            ($arrays:ident, $array:expr, $element:expr) => {{
+                let element = long!($element);
+                match locals.$arrays.element($array, element) {
+                    Some(place) => place,
+                    None => break Err(locals.$arrays.missing($array, element)),
+                }
+            }};
+        }
+        // The place of the instruction that is executed.
+        macro_rules! pc {
+            () => {
+                end - ahead.len() - 1
+            };
+        }
+        // Goes on elsewhere.
+        macro_rules! jump {
+            ($target:expr, $route:expr) => {{
+                let target = $target as usize;
+                let route: Route = $route;
+                let after = balance + route.distance;
+                if after >= route.least {
+                    balance = after;
+                    let Some(there) = ops.get(target..) else { break Ok(Exit::Ended) };
+                    ahead = there.iter();
+                } else {
+                    // From here on statements are counted.
+                    if balance != OVERDRAWN {
+                        settle(code, pc!(), balance, meter);
+                        balance = OVERDRAWN;
                     }
-                    host.statement(pc as u32);
+                    ahead = [].iter();
+                    end = target;
+                }
+            }};
+        }
+        macro_rules! go {
+            ($target:expr) => {
+                match code.routes.get(pc!()) {
+                    Some(route) => {
+                        jump!($target, *route);
+                    }
+                    None => break Ok(Exit::Ended),
                 }
             };
         }
-        let Some(step) = steps.get(pc) else { break Ok(Exit::Ended) };
-        begin!(step.begins);
-        match step.op {
+        let op = match ahead.next() {
+            Some(op) => op,
+            None => {
+                let pc = end;
+                end += 1;
+                let Some(op) = ops.get(pc) else { break Ok(Exit::Ended) };
+                match begin(code, pc, host, meter) {
+                    Ok(None) => {}
+                    Ok(Some(left)) => {
+                        balance = left;
+                        ahead = ops.get(end..).unwrap_or_default().iter();
+                        end = ops.len();
+                    }
+                    Err(exit) => break Ok(exit),
+                }
+                op
+            }
+        };
+        match *op {
             Op::Nothing => {}
 
             Op::LongConst { to, value } => set_long!(to, value),
@@ -127,19 +180,10 @@ pub(super) fn steps<H: Host>(
             Op::DoubleAddConst { to, left, value } => set_double!(to, checked!(finite(double!(left) + value, "+"))),
             Op::DoubleMulConst { to, left, value } => set_double!(to, checked!(finite(double!(left) * value, "*"))),
             Op::DoubleDivConst { to, left, value } => set_double!(to, checked!(quotient(double!(left), value))),
-            Op::DoublePower { to, left, right } => set_double!(to, checked!(power(double!(left), double!(right)))),
-            Op::DoubleMath { function, to, from } => {
-                set_double!(to, checked!(function.evaluate(double!(from), code.angle)));
-            }
             Op::DoubleCompare { relation, to, left, right } => {
                 set_long!(to, -i32::from(relation.holds(&double!(left), &double!(right))));
             }
             Op::DoubleRound { to, from } => set_double!(to, f64::from(checked!(round_to_single(double!(from))))),
-            Op::Random { to, below } => {
-                let below = checked!(random_bound(double!(below)));
-                set_double!(to, f64::from(host.random(below)));
-            }
-
             Op::LongToDouble { to, from } => set_double!(to, f64::from(long!(from))),
             Op::DoubleToLong { to, from } => set_long!(to, double_to_long(double!(from))),
             Op::LoadSingle { to, index } => match locals.singles.get(index as usize) {
@@ -154,71 +198,76 @@ pub(super) fn steps<H: Host>(
                 }
             }
             Op::LoadLongElement { to, array, element } => {
-                set_long!(to, *checked!(locals.long_arrays.element(array, long!(element))));
+                set_long!(to, *element!(long_arrays, array, element));
             }
             Op::StoreLongElement { array, element, from } => {
-                *checked!(locals.long_arrays.element(array, long!(element))) = long!(from);
+                let value = long!(from);
+                *element!(long_arrays, array, element) = value;
             }
             Op::LoadDoubleElement { to, array, element } => {
-                set_double!(to, *checked!(locals.double_arrays.element(array, long!(element))));
+                set_double!(to, *element!(double_arrays, array, element));
             }
             Op::StoreDoubleElement { array, element, from } => {
-                *checked!(locals.double_arrays.element(array, long!(element))) = double!(from);
+                let value = double!(from);
+                *element!(double_arrays, array, element) = value;
+            }
+            Op::AddLongElement { array, element, right } => {
+                let place = element!(long_arrays, array, element);
+                *place = place.wrapping_add(long!(right));
+            }
+            Op::AddDoubleElement { array, element, right } => {
+                let place = element!(double_arrays, array, element);
+                *place = checked!(finite(*place + double!(right), "+"));
             }
 
             Op::LoadUser { to, number } => set_double!(to, checked!(host.user(number))),
             Op::StoreUser { number, from } => checked!(host.set_user(number, double!(from))),
-            Op::LoadBit { to, number } => set_long!(to, -i32::from(checked!(shared::bit(host, count.used(), number)))),
 
-            Op::Jump { target } => {
-                pc = target as usize;
-                continue;
+            Op::AddUserConst { number, value } => {
+                let sum = checked!(finite(checked!(host.user(number)) + value, "+"));
+                checked!(host.set_user(number, sum));
             }
+
+            Op::Jump { target } => go!(target),
             Op::Again { target } => {
-                pc = target as usize;
+                let Some(route) = code.routes.get(pc!()) else { break Ok(Exit::Ended) };
+                jump!(target, *route);
                 // The usual condition of a loop is decided here, which spares a dispatch in each pass.
-                if let Some(step) = steps.get(pc)
-                    && let Op::JumpUnlessLongConst { range, inside, left, target } = step.op
-                {
-                    begin!(step.begins);
-                    pc = if range.contains(long!(left)) == inside { pc + 1 } else { target as usize };
+                if let Some(Op::JumpUnlessLongConst { range, inside, left, target }) = ahead.as_slice().first() {
+                    ahead.next();
+                    if range.contains(long!(*left)) != *inside {
+                        go!(*target);
+                    }
                 }
-                continue;
             }
             Op::JumpUnless { from, target } => {
                 if long!(from) == 0 {
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::JumpUnlessLong { relation, left, right, target } => {
                 if !relation.holds(&long!(left), &long!(right)) {
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::JumpUnlessLongConst { range, inside, left, target } => {
                 if range.contains(long!(left)) != inside {
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::JumpUnlessRem { relation, left, divisor, value, target } => {
                 if !relation.holds(&checked!(remainder(long!(left), divisor)), &value) {
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::JumpUnlessDouble { relation, left, right, target } => {
                 if !relation.holds(&double!(left), &double!(right)) {
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
-            Op::JumpUnlessBit { number, state, target } => {
-                if checked!(shared::bit(host, count.used(), number)) != state {
-                    pc = target as usize;
-                    continue;
+            Op::JumpUnlessDoubleConst { relation, left, value, target } => {
+                if !relation.holds(&double!(left), &value) {
+                    go!(target);
                 }
             }
             Op::Gosub { target } => {
@@ -226,14 +275,16 @@ pub(super) fn steps<H: Host>(
                 if used + acrc_catalog::memory::CALLS.bytes(depth as u64, 0) > limit {
                     break Err(FaultKind::GosubTooDeep { depth });
                 }
-                frame.calls.push(pc as u32 + 1);
-                pc = target as usize;
-                continue;
+                frame.calls.push((end - ahead.len()) as u32);
+                go!(target);
             }
             Op::Return => match frame.calls.pop() {
-                Some(behind) => {
-                    pc = behind as usize;
-                    continue;
+                Some(target) => {
+                    let (Some(behind), Some(at)) = (code.accounts.get(pc!() + 1), code.accounts.get(target as usize))
+                    else {
+                        break Ok(Exit::Ended);
+                    };
+                    jump!(target, Route::new(behind, at));
                 }
                 None => break Err(FaultKind::ReturnWithoutGosub),
             },
@@ -248,8 +299,7 @@ pub(super) fn steps<H: Host>(
                     && double!(counter) > state.end
                 {
                     state.step = 0.0;
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::LoopTestLong { index, counter, target } => {
@@ -257,105 +307,82 @@ pub(super) fn steps<H: Host>(
                     && i64::from(long!(counter)) > state.end_long
                 {
                     state.step_long = 0;
-                    pc = target as usize;
-                    continue;
+                    go!(target);
                 }
             }
             Op::LoopStep { index, to, from } => match frame.loops.get(usize::from(index)) {
                 Some(state) if state.step != 0.0 => set_double!(to, double!(from) + state.step),
                 _ => break Err(FaultKind::NextWithoutFor),
             },
-            Op::LoopNext { index, counter, target } => {
-                let next = match frame.loops.get_mut(usize::from(index)) {
-                    Some(state) if state.step != 0.0 => {
-                        let next = double!(counter) + state.step;
-                        if next > state.end {
-                            state.step = 0.0;
-                        } else {
-                            pc = target as usize;
-                            set_double!(counter, next);
-                            continue;
-                        }
-                        next
+            Op::LoopNext { index, counter, target } => match frame.loops.get_mut(usize::from(index)) {
+                Some(state) if state.step != 0.0 => {
+                    let next = double!(counter) + state.step;
+                    set_double!(counter, next);
+                    if next > state.end {
+                        state.step = 0.0;
+                    } else {
+                        go!(target);
                     }
-                    _ => break Err(FaultKind::NextWithoutFor),
-                };
-                set_double!(counter, next);
-            }
-            Op::LoopNextLong { index, counter, target } => {
-                let next = match frame.loops.get_mut(usize::from(index)) {
-                    Some(state) if state.step_long != 0 => {
-                        let next = i64::from(long!(counter)) + state.step_long;
-                        if next > state.end_long {
-                            state.step_long = 0;
-                        } else {
-                            pc = target as usize;
-                            set_long!(counter, next as i32);
-                            continue;
-                        }
-                        next
+                }
+                _ => break Err(FaultKind::NextWithoutFor),
+            },
+            Op::LoopNextLong { index, counter, target } => match frame.loops.get_mut(usize::from(index)) {
+                Some(state) if state.step_long != 0 => {
+                    let next = i64::from(long!(counter)) + state.step_long;
+                    set_long!(counter, next as i32);
+                    if next > state.end_long {
+                        state.step_long = 0;
+                    } else {
+                        go!(target);
                     }
-                    _ => break Err(FaultKind::NextWithoutFor),
-                };
-                set_long!(counter, next as i32);
-            }
+                }
+                _ => break Err(FaultKind::NextWithoutFor),
+            },
             Op::End => break Ok(Exit::Ended),
             Op::Raise { index } => {
                 let fault = code.faults.get(index as usize).cloned();
                 break Err(fault.unwrap_or(FaultKind::NumberExpected));
             }
 
-            Op::LoadParameter { .. }
-            | Op::LoadParameterAt { .. }
-            | Op::StoreParameter { .. }
-            | Op::StoreParameterAt { .. }
-            | Op::LoadBitAt { .. }
-            | Op::StoreBit { .. }
-            | Op::StoreBitAt { .. }
-            | Op::SetBit { .. } => {
-                let files = Files { longs, doubles, values: &mut frame.values };
-                // A copy, so that the count itself may stay in registers.
-                let mut meter = count;
-                let done = shared::execute(step.op, host, &mut meter, files);
-                count = meter;
-                checked!(done);
-            }
-            Op::ValueConst { .. }
-            | Op::ValueMove { .. }
-            | Op::ValueNegate { .. }
-            | Op::ValueAbs { .. }
-            | Op::ValueOperate { .. }
-            | Op::RealCompare { .. }
-            | Op::TextJoin { .. }
-            | Op::TextCompare { .. }
-            | Op::LongToValue { .. }
-            | Op::DoubleToValue { .. }
-            | Op::SingleToValue { .. }
-            | Op::ValueToLong { .. }
-            | Op::ValueToDouble { .. }
-            | Op::ValueTruth { .. }
-            | Op::LoadText { .. }
-            | Op::StoreText { .. } => {
-                let files = Files { longs, doubles, values: &mut frame.values };
-                checked!(values::execute(step.op, code, files, &mut locals.texts));
-            }
-            Op::TextCall { .. }
-            | Op::Device { .. }
-            | Op::LoadVariable { .. }
-            | Op::StoreVariable { .. }
-            | Op::LoadElement { .. }
-            | Op::StoreElement { .. }
-            | Op::Dim { .. }
-            | Op::Clear
-            | Op::ClearMoves
-            | Op::Call { .. } => break Ok(Exit::Slow),
+            // What is rare, large, or calls the host.
+            _ => break Ok(Exit::Slow),
         }
-        pc += 1;
     };
+    let pc = end - ahead.len() - 1;
+    if balance != OVERDRAWN {
+        settle(code, pc, balance, meter);
+    }
     frame.pc = pc as u32;
-    *meter = count;
     result
 }
+
+/// Accounts for what begins with an instruction. Gives the balance if the instructions behind it need no counting.
+#[inline(never)]
+fn begin<H: Host>(code: &Code, pc: usize, host: &mut H, meter: &mut Meter) -> Result<Option<i64>, Exit> {
+    let (Some(account), Some(behind)) = (code.accounts.get(pc), code.accounts.get(pc + 1)) else { return Ok(None) };
+    if account.begins == Begins::Nothing {
+        return Ok(None);
+    }
+    if !meter.begin(account.begins == Begins::Line) {
+        return Err(Exit::Budget);
+    }
+    if H::WATCHES_STATEMENTS {
+        host.statement(pc as u32);
+        return Ok(None);
+    }
+    Ok(meter.balance(account, behind))
+}
+
+/// Brings the meter up to date with an instruction that was begun.
+#[inline(never)]
+fn settle(code: &Code, pc: usize, balance: i64, meter: &mut Meter) {
+    if let Some(behind) = code.accounts.get(pc + 1) {
+        meter.settle(balance, behind);
+    }
+}
+
+/// The balance while statements are counted one by one: less than any jump asks for.
+const OVERDRAWN: i64 = i64::MIN / 2;
 
 /// The fault of a variable that does not exist, by its slot.
 #[cold]

@@ -24,7 +24,7 @@ impl Files<'_> {
         value.ok_or_else(|| missing(OperandClass::Lv, slot, self.longs.len()))
     }
 
-    fn double(&self, slot: Slot) -> Result<f64, FaultKind> {
+    pub(super) fn double(&self, slot: Slot) -> Result<f64, FaultKind> {
         let value = self.doubles.get(usize::from(slot)).copied();
         value.ok_or_else(|| missing(OperandClass::Dv, slot, self.doubles.len()))
     }
@@ -41,7 +41,7 @@ impl Files<'_> {
         Ok(())
     }
 
-    fn set_double(&mut self, slot: Slot, value: f64) -> Result<(), FaultKind> {
+    pub(super) fn set_double(&mut self, slot: Slot, value: f64) -> Result<(), FaultKind> {
         let count = self.doubles.len();
         let place = self.doubles.get_mut(usize::from(slot));
         *place.ok_or_else(|| missing(OperandClass::Dv, slot, count))? = value;
@@ -58,8 +58,7 @@ impl Files<'_> {
     }
 }
 
-/// Executes an instruction on values. It stands apart from the loop of the numbers, whose registers it would take.
-#[inline(never)]
+/// Executes an instruction on values.
 pub(super) fn execute(op: Op, code: &Code, mut files: Files, texts: &mut Block<Text>) -> Result<(), FaultKind> {
     match op {
         Op::ValueConst { to, index } => match code.constants.get(index as usize) {

@@ -132,9 +132,48 @@ impl Host for Bench {
     fn character_waits(&mut self, _device: i32) -> Result<bool, FaultKind> {
         Ok(!self.keys.is_empty())
     }
+}
+
+/// The same controller with somebody who watches the statements.
+struct Watched<'a>(&'a mut Bench);
+
+impl Host for Watched<'_> {
+    const WATCHES_STATEMENTS: bool = true;
 
     fn statement(&mut self, pc: u32) {
-        self.trace.push(pc);
+        self.0.trace.push(pc);
+    }
+
+    fn parameter(&mut self, number: i64) -> Result<Value, FaultKind> {
+        self.0.parameter(number)
+    }
+
+    fn set_parameter(&mut self, number: i64, value: &Value) -> Result<(), FaultKind> {
+        self.0.set_parameter(number, value)
+    }
+
+    fn bit(&mut self, number: i64) -> Result<bool, FaultKind> {
+        self.0.bit(number)
+    }
+
+    fn set_bit(&mut self, number: i64, state: bool) -> Result<(), FaultKind> {
+        self.0.set_bit(number, state)
+    }
+
+    fn command(&mut self, call: &Call) -> Result<Outcome, FaultKind> {
+        self.0.command(call)
+    }
+
+    fn random(&mut self, below: u32) -> u32 {
+        self.0.random(below)
+    }
+
+    fn take_character(&mut self, device: i32) -> Result<Option<u8>, FaultKind> {
+        self.0.take_character(device)
+    }
+
+    fn character_waits(&mut self, device: i32) -> Result<bool, FaultKind> {
+        self.0.character_waits(device)
     }
 }
 
@@ -178,9 +217,14 @@ impl Machine {
         run(&self.code, &mut self.frame, &mut self.locals, &mut self.bench, budget)
     }
 
-    /// Runs to the end, or for 100,000 statements.
+    /// Runs with a budget, and takes note of every statement.
+    pub(crate) fn run_watched(&mut self, budget: Budget) -> Run {
+        run(&self.code, &mut self.frame, &mut self.locals, &mut Watched(&mut self.bench), budget)
+    }
+
+    /// Runs to the end, or for 100,000 lines.
     pub(crate) fn finish(&mut self) -> Stop {
-        self.run(Budget::statements(100_000)).stop
+        self.run(Budget::lines(100_000)).stop
     }
 }
 
