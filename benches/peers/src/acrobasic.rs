@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::WorldEvent;
-use acrc_controller::{Controller, FaultReport, Observer, Options, Stopped, View};
+use acrc_controller::{Controller, FaultReport, Observer, Options, Sent, Stopped, View};
 use acrc_image::Image;
 use acrc_syntax::units::Level;
 use acrc_vm::{Budget, Call, Code, FaultKind, Frame, Host, Locals, Outcome, Stop, Value, run};
@@ -31,7 +31,7 @@ pub(crate) fn bare(program: &Program) -> Contender {
     Box::new(move || {
         let (mut frame, mut locals, mut host) = (Frame::new(), Locals::new(MEMORY), Parameters::default());
         timed(|| {
-            while run(&code, &mut frame, &mut locals, &mut host, Budget::statements(u32::MAX)).stop != Stop::Ended {}
+            while run(&code, &mut frame, &mut locals, &mut host, Budget::lines(u32::MAX)).stop != Stop::Ended {}
             host.0[0]
         })
     })
@@ -94,7 +94,7 @@ impl Host for Parameters {
 struct Blind;
 
 impl Observer for Blind {
-    fn output(&mut self, _: f64, _: Option<u8>, _: i32, _: &str) {}
+    fn output(&mut self, _: &Sent) {}
     fn fault(&mut self, fault: &FaultReport) {
         panic!("{fault}");
     }
