@@ -149,7 +149,16 @@ pub(crate) enum MemFormat {
                         A program that never ends is stopped at --until; that is no error.\n\
                         With --state, the controller begins with what DIR keeps, takes the project as a download,\n\
                         and saves at ESAVE, ERASE, FLASH ... and when the run ends, which is when power goes off.\n\
-                        Standard input is read to its end before the run begins.\n\
+                        Standard input is read to its end before the run begins.\n\n\
+                        --trace, --plot and --report show the same SIGNALS, a list of:\n  \
+                        P12288  BIT34            any parameter, any flag\n  \
+                        Camera  light_curtain    aliases of the project, inputs that the world names\n  \
+                        X                        position, velocity, acceleration, following error of an axis\n  \
+                        X.jog_offset  AXIS0.FE   a quantity of an axis, by name or acronym\n  \
+                        MASTER0.vector_velocity  the same of MASTERn, PROGn, PLCn, ENCn, DACn, ADCn\n  \
+                        usual                    every axis, and the inputs and outputs used\n\
+                        docs/traces.md has more. Example:\n  \
+                        acrc sim machine --signals usual,P12297 --rate 500us --trace run.parquet --report run.html\n\n\
                         Exit status: 0 the run went well, 1 a run-time error occurred, 2 could not run, 130 interrupted.")]
 pub(crate) struct SimArguments {
     /// The project
@@ -167,9 +176,7 @@ pub(crate) struct SimArguments {
     /// Write the signals over time: as Parquet when the name ends in .parquet, else as CSV
     #[arg(long, value_name = "FILE")]
     pub(crate) trace: Option<PathBuf>,
-    /// What is recorded: P12288, BIT34, aliases, inputs of the world, X (an axis), X.position, AXIS0.jog_offset,
-    /// MASTER0.vector_velocity ...; `usual` adds to what is recorded without it: position, velocity, acceleration and
-    /// following error of every axis, and the inputs and outputs used
+    /// Signals to record, see below [default: usual]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub(crate) signals: Vec<String>,
     /// Virtual time from one sample to the next, a multiple of the servo period [default: 1ms]

@@ -115,10 +115,13 @@ fn keys_buttons_and_mouse_move_the_view() {
         "zoom-out: 2.00 10.00 6.00",
         "whole: 0.00 12.00 6.00",
         "click: 0.00 12.00 3.00",
+        "selected: 50 25",
         "select: 6.00 9.00 3.00",
         "drag: 6.75 9.75 3.00",
         "wheel: 6.75 9.25 3.00",
-        "double click: 0.00 12.00 3.00",
+        "heights: \u{2212}200 \u{2212}100 0 100 200",
+        "fitted: \u{2212}150 \u{2212}100 \u{2212}50 0",
+        "double click: 0.00 12.00 9.00",
         "output: 0.00 12.00 9.76",
     ];
     assert_eq!(said, expected);

@@ -18,7 +18,10 @@ const at = (part) => ({ clientX: area.left + part * area.width, clientY: area.to
 const pointer = (kind, part, more = {}) => picture.dispatchEvent(new PointerEvent(kind, { ...at(part), ...more }));
 pointer("pointerdown", 0.25); pointer("pointerup", 0.25);
 say(`click: ${state()}`);
-pointer("pointerdown", 0.5, { shiftKey: true }); pointer("pointermove", 0.6); pointer("pointerup", 0.75);
+pointer("pointerdown", 0.5, { shiftKey: true }); pointer("pointermove", 0.75);
+const selection = document.querySelector(".selection").getBoundingClientRect();
+say(`selected: ${Math.round((100 * (selection.left - area.left)) / area.width)} ${Math.round((100 * selection.width) / area.width)}`);
+pointer("pointerup", 0.75);
 say(`select: ${state()}`);
 // A page that gets another size is drawn at once, and not with the next frame.
 const draw = () => window.dispatchEvent(new Event("resize"));
@@ -28,6 +31,18 @@ say(`drag: ${state()}`);
 draw();
 picture.dispatchEvent(new WheelEvent("wheel", { ...at(0), deltaY: -1, ctrlKey: true, cancelable: true }));
 say(`wheel: ${state()}`);
+const velocity = document.querySelector("[data-group=velocity] svg");
+const labels = () => [...velocity.querySelectorAll("text[text-anchor=end]")].map((label) => label.textContent).join(" ");
+document.getElementById("at").value = "9";
+document.getElementById("at").dispatchEvent(new Event("change"));
+for (let times = 0; times < 5; times += 1) {
+  document.querySelector("[data-do=zoom-in]").click();
+}
+draw();
+say(`heights: ${labels()}`);
+document.getElementById("fit").click();
+draw();
+say(`fitted: ${labels()}`);
 picture.dispatchEvent(new MouseEvent("dblclick", { bubbles: true }));
 say(`double click: ${state()}`);
 draw();

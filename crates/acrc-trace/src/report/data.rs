@@ -139,9 +139,11 @@ fn column(values: &[f64]) -> Column {
     let (least, greatest) =
         finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, g), value| (l.min(value), g.max(value)));
     // Half of the range each way, so that a difference of the greatest numbers is none.
-    let offset = least / 2.0 + greatest / 2.0;
-    let step = (greatest / 2.0 - least / 2.0) / f64::from(i32::MAX);
-    let step = if step > 0.0 { step } else { 1.0 };
+    let (middle, reach) = (least / 2.0 + greatest / 2.0, greatest / 2.0 - least / 2.0);
+    // A range at zero is counted from there, so that zero stays zero.
+    let far = least.abs().max(greatest.abs());
+    let (offset, reach) = if far / 4.0 <= reach { (0.0, far) } else { (middle, reach) };
+    let step = (reach / f64::from(i32::MAX)).max(f64::MIN_POSITIVE);
     let mut bytes = Vec::with_capacity(4 * values.len());
     for value in values {
         let whole = if value.is_finite() { ((value - offset) / step).round() as i32 } else { NO_NUMBER };

@@ -2,7 +2,7 @@
 //! program stood at.
 //!
 //! The page is one file without anything from elsewhere; a content security policy keeps it that way. Its script and style sheet are the files in
-//! `page/`; what the run was is a JSON object in it ([`data`]). Text of programs never becomes markup.
+//! `page/`; what the run was is a JSON object in it (`data.rs`). Text of programs never becomes markup.
 
 mod data;
 

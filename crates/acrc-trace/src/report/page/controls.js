@@ -52,6 +52,13 @@ function connectKeys(view, plots) {
 
 function connectPointer(view, plots, timeScale) {
   let drag = null;
+  const selection = html("div", { class: "selection", hidden: "" });
+  plots.append(selection);
+  const end = () => {
+    drag = null;
+    selection.hidden = true;
+    plots.classList.remove("dragged");
+  };
   const timeAt = (event) => {
     const { left, scale } = timeScale();
     return scale.value(event.clientX - left);
@@ -69,7 +76,11 @@ function connectPointer(view, plots, timeScale) {
     }
     drag.moved = true;
     plots.classList.add("dragged");
-    if (!drag.select) {
+    if (drag.select) {
+      const left = Math.min(drag.x, event.clientX) - plots.getBoundingClientRect().left;
+      Object.assign(selection.style, { left: `${left}px`, width: `${Math.abs(event.clientX - drag.x)}px` });
+      selection.hidden = false;
+    } else {
       const shift = drag.scale.value(drag.x) - drag.scale.value(event.clientX);
       view.setRange(drag.range[0] + shift, drag.range[1] + shift);
     }
@@ -81,9 +92,9 @@ function connectPointer(view, plots, timeScale) {
     } else if (drag && !drag.moved) {
       view.setCursor(drag.time);
     }
-    drag = null;
-    plots.classList.remove("dragged");
+    end();
   });
+  window.addEventListener("pointercancel", end);
   plots.addEventListener("dblclick", () => view.whole());
   plots.addEventListener(
     "wheel",

@@ -50,6 +50,8 @@ class Real {
     Object.assign(this, { name: data.name, unit: data.unit, group: data.group, source: data.source });
     const low = column(data.real.low, times.length);
     const high = data.real.high === null ? low : column(data.real.high, times.length);
+    /** The distance of numbers that the columns can tell apart. */
+    this.step = Math.max(...[data.real.low, data.real.high].map((packed) => packed?.step ?? 0));
     this.levels = [{ times, low, high }];
   }
 

@@ -1,6 +1,6 @@
 // The plots over time: panels of curves, and a panel of lanes for bits.
 
-const MARGIN = { left: 76, right: 12, top: 6, bottom: 20 };
+const MARGIN = { left: 76, right: 22, top: 6, bottom: 20 };
 const CURVE_HEIGHT = 170;
 const LANE_HEIGHT = 18;
 const MARK_ROW = 14;
@@ -27,15 +27,15 @@ function makePanels(run) {
     panel.signals.push({ signal, color, dash: lanes ? "" : DASHES[repeat % DASHES.length] });
   }
   return panels.map((panel, index) => {
-    const place = { events: index === 0 ? run.events : [], last: index === panels.length - 1, marks: run.events };
+    const place = { index, events: index === 0 ? run.events : [], last: index === panels.length - 1, marks: run.events };
     return panel.lanes ? new LanePanel(panel, place) : new CurvePanel(panel, place);
   });
 }
 
 /** What panels of both kinds share. */
 class Panel {
-  constructor({ group, signals }, { events, last, marks }, height) {
-    Object.assign(this, { group, signals, events, last, marks });
+  constructor({ group, signals }, { index, events, last, marks }, height) {
+    Object.assign(this, { group, signals, index, events, last, marks });
     this.height = height;
     this.svg = svg("svg", { role: "img", "aria-label": this.label() });
     this.legend = html("ul", { class: "legend" });
@@ -68,9 +68,9 @@ class Panel {
     const total = area.bottom + MARGIN.bottom + (this.last ? 14 : 0);
     this.svg.setAttribute("viewBox", `0 0 ${width} ${total}`);
     this.svg.setAttribute("height", total);
-    this.legend.style.paddingTop = `${top}px`;
+    this.legend.style.setProperty("--top", `${top}px`);
     this.time = new Scale(view.from, view.to, area.left, area.right);
-    const clip = `clip-${this.group.replace(/[^a-z0-9]/gi, "-")}-${this.lanes ? "bits" : "curves"}`;
+    const clip = `clip-${this.index}`;
     const size = { x: area.left, y: area.top, width: area.right - area.left, height: this.height };
     this.svg.replaceChildren(
       svg("clipPath", { id: clip }, svg("rect", size)),
@@ -217,7 +217,8 @@ class CurvePanel extends Panel {
     this.signals.forEach(({ signal }, index) => {
       const [low, high] = signal.at(time);
       const same = low === high || Number.isNaN(low);
-      const number = same ? valueText(low) : `${valueText(low)} \u2026 ${valueText(high)}`;
+      const [least, greatest] = [low, high].map((value) => valueText(value, signal.step));
+      const number = same ? least : `${least} \u2026 ${greatest}`;
       this.values[index].textContent = signal.unit === "" ? number : `${number} ${signal.unit}`;
     });
   }
@@ -227,7 +228,6 @@ class CurvePanel extends Panel {
 class LanePanel extends Panel {
   constructor(panel, place) {
     super(panel, place, LANE_HEIGHT * panel.signals.length);
-    this.lanes = true;
     this.legend.classList.add("lanes");
   }
 

@@ -21,14 +21,18 @@ class Path {
 
   draw(view, width) {
     const area = { left: MARGIN.left, right: width - MARGIN.right, top: 8, bottom: 8 + PATH_HEIGHT };
-    this.place(area);
+    if (width !== this.width) {
+      this.width = width;
+      this.place(area);
+      this.all = this.line(0, this.times.length - 1);
+    }
     const height = area.bottom + 36;
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const [first, last] = [view.from, view.to].map((time) => Math.max(lastAt(this.times, time), 0));
     this.svg.replaceChildren(
       svg("rect", { class: "area", x: area.left, y: area.top, width: area.right - area.left, height: PATH_HEIGHT }),
       this.axes(area),
-      svg("path", { class: "path-all", d: this.line(0, this.times.length - 1) }),
+      svg("path", { class: "path-all", d: this.all }),
       svg("path", { class: "path-shown", d: this.line(first, last) }),
       this.dot(view.cursor),
     );

@@ -44,13 +44,15 @@ function minus(text) {
   return text.replace(/^-/, "\u2212");
 }
 
-/** A value with the digits that its column keeps. */
-function valueText(value) {
+/** A value with at most seven digits, and none beyond those that its column can tell apart. */
+function valueText(value, step = 0) {
   if (!Number.isFinite(value)) {
     return "\u2013";
   }
-  const rounded = Number(value.toPrecision(7));
-  return minus(Math.abs(rounded) < 1e-12 ? "0" : String(rounded));
+  const decimals = step > 0 ? Math.floor(-Math.log10(step)) : 100;
+  const known = decimals >= 0 && decimals < 100 ? Number(value.toFixed(decimals)) : value;
+  const rounded = Number(known.toPrecision(7));
+  return minus(String(rounded === 0 ? 0 : rounded));
 }
 
 /** A time in seconds, to the microsecond, without zeros that say nothing. */

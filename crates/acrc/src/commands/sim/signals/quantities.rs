@@ -82,7 +82,8 @@ pub(super) fn column(space: Space, index: u32, owner: &str, name: &str) -> Optio
     }
     let asked = |field: &str, also: &[&str]| same(field) || also.iter().any(|also| same(also));
     if let Some(row) = parameters(space).find(|row| asked(row.field, row.also)) {
-        return of_parameter(row, parameter_number(row.field, index)?, index, owner);
+        let number = parameter_number(row.field, index)?;
+        return Some(of_parameter(row, number, index, owner));
     }
     let row = bits(space).find(|row| asked(row.field, row.also))?;
     let number = bit_number(row.field, index)?;
@@ -90,7 +91,7 @@ pub(super) fn column(space: Space, index: u32, owner: &str, name: &str) -> Optio
     Some(Column { signal, label: None, reading: Reading::Bit(number) })
 }
 
-fn of_parameter(row: &ParameterRow, number: u32, index: u32, owner: &str) -> Option<Column> {
+fn of_parameter(row: &ParameterRow, number: u32, index: u32, owner: &str) -> Column {
     let name = format!("{owner}.{}", row.field);
     let axis = u8::try_from(index).ok().filter(|_| row.object == Space::Axis && row.unit == PULSES);
     let group = if row.field == FOLLOWING_ERROR { FOLLOWING_ERROR_GROUP } else { row.title };
@@ -101,7 +102,7 @@ fn of_parameter(row: &ParameterRow, number: u32, index: u32, owner: &str) -> Opt
         }
         None => (parameter(number).unit, format!("P{number}"), Reading::Parameter(number)),
     };
-    Some(Column { signal: Signal::continuous(name, unit, group).with_source(source), label: None, reading })
+    Column { signal: Signal::continuous(name, unit, group).with_source(source), label: None, reading }
 }
 
 /// The names of the quantities of an object.

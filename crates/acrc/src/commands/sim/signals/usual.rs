@@ -15,7 +15,9 @@ pub(super) fn columns(names: &Names, image: &Image, world: &World) -> Vec<Column
     let mut bits: BTreeSet<u32> = world.driven_inputs().into_iter().collect();
     for unit in image.units() {
         let instructions = unit.decode().unwrap_or_default();
-        bits.extend(instructions.iter().filter_map(|instruction| switched_bit(instruction, image)).filter(is_shown));
+        bits.extend(
+            instructions.iter().filter_map(|instruction| switched_bit(instruction, image)).filter(|bit| is_shown(*bit)),
+        );
     }
     let axes = names.axes().flat_map(|(axis, owner)| quantities::main_columns(axis, owner));
     let bits = bits.into_iter().map(|bit| {
@@ -40,7 +42,7 @@ fn switched_bit(instruction: &Instruction, image: &Image) -> Option<u32> {
 }
 
 /// Outputs and user flags; settings such as limit levels are not worth a lane.
-fn is_shown(bit: &u32) -> bool {
+fn is_shown(bit: u32) -> bool {
     let laws = [law::ONBOARD_INPUT, law::ONBOARD_OUTPUT, law::USER_FLAG_1_4, law::USER_FLAG_5];
-    laws.iter().any(|law| law.index_of(*bit).is_some())
+    laws.iter().any(|law| law.index_of(bit).is_some())
 }
