@@ -40,7 +40,8 @@ function start() {
   const panels = makePanels(run);
   plots.append(...panels.map((panel) => panel.element));
   if (panels.length === 0) {
-    plots.append(html("p", {}, "No signal was recorded."));
+    plots.append(html("p", {}, "No signal was recorded; --signals names those that are."));
+    byId("plots-help").hidden = true;
   }
   const paths = run.paths.map((data) => new Path(data)).filter((path) => path.moves());
   byId("paths").append(...paths.map((path) => path.element));

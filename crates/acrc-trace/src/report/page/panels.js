@@ -11,6 +11,8 @@ const DASHES = ["", "6 3", "2 2.5", "8 3 2 3"];
 function makePanels(run) {
   const panels = [];
   const owners = [];
+  const faults = run.faults.map(([time, text]) => [time, `fault: ${text}`]);
+  const marks = [...run.events, ...faults].sort(([left], [right]) => left - right);
   for (const signal of run.signals) {
     const lanes = signal instanceof Bit;
     let panel = panels.find((known) => known.group === signal.group && known.lanes === lanes);
@@ -27,7 +29,7 @@ function makePanels(run) {
     panel.signals.push({ signal, color, dash: lanes ? "" : DASHES[repeat % DASHES.length] });
   }
   return panels.map((panel, index) => {
-    const place = { index, events: index === 0 ? run.events : [], last: index === panels.length - 1, marks: run.events };
+    const place = { index, events: index === 0 ? marks : [], last: index === panels.length - 1, marks };
     return panel.lanes ? new LanePanel(panel, place) : new CurvePanel(panel, place);
   });
 }
