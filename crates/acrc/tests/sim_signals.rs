@@ -75,6 +75,7 @@ fn what_is_no_signal_is_named() {
         ("Q.position", "no axis is named `Q`; there are X, Y, Z"),
         ("AXIS9.position", "the ACR9000 has axis 0 to 7"),
         ("MASTER0", "say which quantity of it, as in MASTER0.FIELD"),
+        ("ENC99.encoder_position", "no controller has ENC99"),
         ("P999999", "no controller has this parameter"),
         ("BIT65536", "no controller has this flag"),
         ("P99999999999", "no controller has this parameter"),
@@ -101,6 +102,16 @@ fn axes_of_one_name_are_told_apart_by_number() {
     bench.sim("two.8K --run PROG0 --trace t.csv");
     let names = Csv::read(&bench.path("t.csv")).names.join(",");
     assert!(names.contains(",AXIS0.position,") && names.contains(",AXIS3.position,"), "{names}");
+}
+
+#[test]
+fn an_axis_goes_by_each_of_its_names() {
+    let bench = Bench::new();
+    let setup = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nENDP\n\
+                 PROG1\nATTACH MASTER1\nATTACH SLAVE0 AXIS0 \"TOOL\"\nPROGRAM\nENDP\n";
+    bench.file("two.8K", setup);
+    bench.sim("two.8K --run PROG0 --trace t.csv --signals tool.position,X.position,AXIS0.velocity");
+    assert_eq!(Csv::read(&bench.path("t.csv")).names, ["time_s", "X.position", "X.velocity"]);
 }
 
 #[test]

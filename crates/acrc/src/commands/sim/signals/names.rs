@@ -26,8 +26,10 @@ pub(super) struct Names<'i> {
     model: &'static Model,
     aliases: &'i [Alias],
     inputs: Vec<(&'i str, u32)>,
-    /// The names of the axes that are attached somewhere, by axis.
+    /// What the signals of the axes that are attached somewhere are called, by axis.
     axes: BTreeMap<u8, String>,
+    /// All names of axes, each with an axis.
+    attached: Vec<(String, u8)>,
     /// The first two axes of every master.
     planes: Vec<(u8, u8)>,
 }
@@ -53,6 +55,7 @@ impl<'i> Names<'i> {
             inputs: world.inputs().collect(),
             axes,
             planes: attachments::planes(&attached),
+            attached: attached.into_iter().map(|Attached { axis, name, .. }| (name, axis)).collect(),
         }
     }
 
@@ -108,6 +111,9 @@ impl<'i> Names<'i> {
         }
         let known = quantities::names(space);
         let lower = quantity.to_ascii_lowercase();
+        if known.contains(&lower.as_str()) {
+            bail!("--signals {name}: no controller has {owner}");
+        }
         let hint = match nearest(&lower, known.iter().copied()) {
             Some(meant) => format!("did you mean `{owner}.{meant}`?"),
             None if known.len() <= FEW => format!("it has {}", known.join(", ")),
@@ -119,7 +125,7 @@ impl<'i> Names<'i> {
     /// The object that a name stands for, with the name that its signals get: an axis by the name of a program, or `AXIS0`, `MASTER1`, ...
     fn owner(&self, name: &str) -> anyhow::Result<Option<(Space, u32, String)>> {
         let upper = name.to_ascii_uppercase();
-        if let Some((axis, name)) = self.axes().find(|(_, known)| *known == upper) {
+        if let Some((axis, name)) = self.axes().find(|(axis, known)| *known == upper || self.is_only(&upper, *axis)) {
             return Ok(Some((Space::Axis, u32::from(axis), name.to_owned())));
         }
         let digits = upper.trim_start_matches(|letter: char| letter.is_ascii_alphabetic());
@@ -140,6 +146,12 @@ impl<'i> Names<'i> {
         // Whatever name was asked for, an axis that has one is called by it.
         let known = u8::try_from(index).ok().filter(|_| space == Space::Axis).and_then(|axis| self.axes.get(&axis));
         Ok(Some((space, index, known.cloned().unwrap_or(upper))))
+    }
+
+    /// Whether a name is another one of an axis, and of no other.
+    fn is_only(&self, name: &str, axis: u8) -> bool {
+        let mut named = self.attached.iter().filter(|(known, _)| known == name).peekable();
+        named.peek().is_some() && named.all(|(_, other)| *other == axis)
     }
 
     fn known_axes(&self) -> String {
