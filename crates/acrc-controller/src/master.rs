@@ -2,7 +2,7 @@
 
 use acrc_motion::{Lookahead, Master as Profiler, Move, MoveSettings, SettingError};
 
-use crate::command::{CUBIC, Curve, TimeBase};
+use crate::command::{CUBIC, Curve, Kinematics, TimeBase};
 use crate::coordination::{Condition, Redirection};
 
 use crate::command::UNBUFFERED;
@@ -28,6 +28,8 @@ pub(crate) struct Master {
     pub(crate) time: TimeBase,
     /// The masters with which it begins its moves, itself among them, as bits (`SYNC`); none is zero.
     pub(crate) group: u32,
+    /// `INVK`
+    pub(crate) kinematics: Kinematics,
     /// `NURB RANK`
     pub(crate) rank: usize,
     /// What statements have said of moves to come.
@@ -80,8 +82,7 @@ pub(crate) struct OpenArc {
 }
 
 impl Ahead {
-    /// Drops what a move that never comes would have been made of.
-    pub(crate) fn forget(&mut self) {
+    fn forget(&mut self) {
         self.gate = None;
         self.curve = None;
         self.redirection = None;
@@ -111,6 +112,7 @@ impl Master {
             look: Look::default(),
             time: TimeBase::CLOCK,
             group: 0,
+            kinematics: Kinematics::default(),
             rank: CUBIC,
             ahead: Ahead::default(),
             settling: false,
@@ -136,6 +138,12 @@ impl Master {
     pub(crate) fn move_settings(&self) -> MoveSettings {
         let time = if self.timed { self.settings.time } else { 0.0 };
         MoveSettings { time, ..self.settings }
+    }
+
+    /// Drops what a move that never comes would have been made of.
+    pub(crate) fn forget(&mut self) {
+        self.kinematics.forget();
+        self.ahead.forget();
     }
 
     /// A move with the gate of `TRG`.

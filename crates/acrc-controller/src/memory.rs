@@ -62,6 +62,11 @@ impl SystemMemory {
         self.blocks.remove(&block);
     }
 
+    /// Whether a block has a program.
+    pub(crate) fn is_stored(&self, block: SystemBlock) -> bool {
+        self.stored.contains(&block)
+    }
+
     /// Takes note of whether a space holds a program.
     pub(crate) fn set_stored(&mut self, block: SystemBlock, stored: bool) {
         if stored {

@@ -25,7 +25,7 @@ impl Machine {
     pub(crate) fn order(&mut self, index: usize, order: Order) {
         let Some(master) = self.masters.get_mut(index) else { return };
         if !matches!(order, Order::Feedhold | Order::CycleStart) {
-            master.ahead.forget();
+            master.forget();
         }
         match order {
             Order::Feedhold => master.profiler.feedhold(),

@@ -50,7 +50,7 @@ fn new_trajectory(context: &mut Context, call: &Call) -> Result<Outcome, Control
     let next = context.statement(call, call.arguments)?;
     let machine = &mut *context.machine;
     machine.prepare_master(master)?;
-    machine.masters[master].ahead.forget();
+    machine.masters[master].forget();
     machine.masters[master].profiler.replace(&next).map_err(|error| refused(call.command, error))?;
     machine.begin_moves(master);
     Ok(Outcome::Done)

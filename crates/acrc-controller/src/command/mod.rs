@@ -13,6 +13,7 @@ mod follow;
 mod interrupts;
 mod io;
 mod jog;
+mod kinematics;
 mod ladder;
 mod logic;
 mod moves;
@@ -47,6 +48,7 @@ use crate::terminal::ChannelId;
 pub(crate) use buffer::UNBUFFERED;
 pub(crate) use curves::{CUBIC, Curve};
 pub(crate) use io::deliver;
+pub(crate) use kinematics::Kinematics;
 pub(crate) use timebase::TimeBase;
 
 /// What a command handler works on.
@@ -102,6 +104,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         interrupts::COMMANDS,
         io::COMMANDS,
         jog::COMMANDS,
+        kinematics::COMMANDS,
         ladder::COMMANDS,
         logic::COMMANDS,
         moves::COMMANDS,

@@ -40,6 +40,9 @@ fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, Controller
         return Ok(Outcome::Again);
     }
     let mut next = context.statement(call, call.arguments)?;
+    if !context.transform(call, master, &mut next)? {
+        return Ok(Outcome::Again);
+    }
     if context.pair(master, &mut next)? { context.queue(call, master, &next) } else { Ok(Outcome::Done) }
 }
 
@@ -66,6 +69,7 @@ impl Context<'_> {
             return Err(ControllerError::Killed { master: master as u8, bit: killed });
         }
         self.moving_settings(call, master)?;
+        self.transformable(call, master)?;
         Ok(master)
     }
 

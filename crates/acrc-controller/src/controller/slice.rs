@@ -194,6 +194,7 @@ impl Controller {
         if let Some((location, fault)) = fault {
             let mut report = self.fault_report(task.unit(), location, fault.to_string());
             self.faulted = true;
+            self.machine.fail_transformations(task);
             report.heard = self.tell_fault(task, location, &report.message);
             observer.fault(&report);
         }

@@ -11,6 +11,7 @@ mod follow;
 mod holds;
 mod homing;
 mod interrupts;
+mod kinematics;
 mod jog;
 mod kill;
 mod limits;
