@@ -200,6 +200,30 @@ fn what_is_not_simulated_is_refused_at_run_time_too() {
 }
 
 #[test]
+fn flags_tell_what_the_velocity_along_the_path_does() {
+    // Up from 10 to 20 u/s and down again for the second move, and down to rest at the end.
+    let body = "STP 0\nX10\nVEL 20\nX30\nSTP 100 VEL 10\nX50";
+    let phases = |seconds: f64| {
+        let ran = Sim::program(body).until(seconds).run().clean();
+        [512, 513, 514].map(|bit| ran.bit(bit))
+    };
+    let (rising, falling, stopping, steady) =
+        ([true, false, false], [false, true, false], [false, false, true], [false, false, false]);
+    for (seconds, expected) in [
+        (0.05, rising),
+        (0.5, steady),
+        (1.1, rising),
+        (1.5, steady),
+        (2.08, falling),
+        (3.0, steady),
+        (4.02, stopping),
+        (5.0, steady),
+    ] {
+        assert_eq!(phases(seconds), expected, "{seconds}");
+    }
+}
+
+#[test]
 fn settings_are_captured_with_the_move() {
     let ran: Ran = Sim::program("X10\nVEL 1 ACC 1 STP 1\nINH -516").run().clean();
     assert_eq!(ran.milliseconds(), 1100.0);
