@@ -30,38 +30,8 @@
 //!
 //! # Assumptions
 //!
-//! What the documents at hand leave open, and how it is read here:
-//!
-//! - SINE: the phase runs evenly with the part of the path. An axis that is not where its sinusoid begins comes over to
-//!   it evenly, so that it is at the target at the end. The length that counts is that of the root of the mean square of
-//!   the speed, which makes two sinusoids that draw a circle as long as the circle.
-//! - CIRCW, CIRCCW: the first axis named is the primary one. An arc whose end lies in the direction of its start, but is
-//!   not the end of the move before, is a straight move. With different weights of both axes the length is that of the
-//!   root of the mean square too.
-//! - TARC: the second value of each axis is a point on the way. Three points on a line are refused.
-//! - ROTARY: acts on absolute targets of straight moves, behind the transformations. At exactly half a turn the axis goes
-//!   the way the target says. Positions go on counting.
-//! - SCALE comes first, then ROTATE, then OFFSET and FLZ. Relative targets are scaled and rotated, not shifted. An arc
-//!   under different factors is an ellipse, and a mirrored one runs the other way round. FLZ puts the programmed zero at
-//!   its value from where the last queued move ends. Where ROTATE mixes axes of different weights on an arc or a
-//!   sinusoid, each weight goes with the programmed axis.
-//! - TANG: the axis is where the path points, also at corners, where it jumps the short way; the documents name no rule
-//!   for corners.
-//! - SPLINE goes through its points, with the direction at each that of the parabola through it and its neighbours.
-//!   NURB draws B-splines with weights; the first knots come with the points. Both begin at their first point. All but
-//!   the last piece hand their velocity over; they look ahead as far as pieces wait.
-//! - LOOK: up to the first angle a corner costs nothing, from the second on it is a stop, between them the velocity falls
-//!   evenly. Moves without STP brake with DEC, and for rest at the end of the last known move.
-//! - TRG: the move begins from rest unless its condition holds in the tick in which the move before ends.
-//! - INT: the move comes to rest with DEC and is over; the next is laid from there, and is not accepted before.
-//! - HSINT: the move goes on to the new end, or comes to rest with DEC and returns where that is too near or behind.
-//! - TRJ: what runs and what waits is dropped; the velocity along the path is kept, whatever the new direction.
-//! - SYNC: moves of a group begin in the same tick; each takes its own time.
-//! - SRC: a count of the source is a servo period for the moves. Counts back run the profile back to where it was last
-//!   planned and are lost beyond that; the hold, the gate and the queue do not go back.
-//! - ROV acts on rapid moves only, in the way FOV acts on the others.
-//! - FOV, ROV and holds in an S-curve: the jerk is kept. An acceleration that does not fit what is wanted ends first.
-//!   The last ramp down is left as it was, and so is a ramp if the change would let the move end too fast.
+//! What the documents leave open of coordinated moves, and how it is read here, is in the table "Motion" of
+//! `docs/fidelity.md`, one row each. The modules of [`axis`], [`servo`] and [`source`] begin with theirs.
 //!
 //! # Memory
 //!
