@@ -160,7 +160,7 @@ impl Master {
         profiler.set_float(slot, 0.0)?;
         profiler.set_rotation([0, 1], 0.0, [0.0; 2])?;
         profiler.set_tangent(None)?;
-        self.ahead.arc = None;
+        self.ahead = Ahead::default();
         Ok(())
     }
 

@@ -77,7 +77,7 @@ impl Settings {
     }
 
     /// What was set for an object; nothing at power-up.
-    fn of(&self, command: CommandId, object: u16) -> Vec<Item> {
+    pub(crate) fn of(&self, command: CommandId, object: u16) -> Vec<Item> {
         let segments = (command, object, i32::MIN)..=(command, object, i32::MAX);
         self.kept.range(segments).flat_map(|(_, items)| items).cloned().collect()
     }

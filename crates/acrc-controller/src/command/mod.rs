@@ -16,6 +16,7 @@ mod jog;
 mod kinematics;
 mod ladder;
 mod logic;
+mod master_settings;
 mod moves;
 mod network;
 mod nonvolatile;

@@ -6,6 +6,7 @@ use acrc_motion::{Lookahead, SettingError, Tangent};
 use acrc_vm::{Arg, Call, Outcome};
 
 use super::arguments::{AxisArgument, AxisValue, real, scalar};
+use super::master_settings::number;
 use super::{Action, Context, Entry, settings};
 use crate::error::ControllerError;
 use crate::machine::Machine;
@@ -202,7 +203,8 @@ fn look_angles(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     }
     look.angles = angles;
     let on = look.on;
-    context.look_ahead(call, on)
+    context.look_ahead(call, on)?;
+    context.keep_for_master(call, master, vec![number(angles.full), number(angles.stop)])
 }
 
 /// `LOOK MODE`: kept; corners are taken by their angles in any mode.
@@ -217,6 +219,7 @@ fn look_mode(context: &mut Context, call: &Call) -> Result<Outcome, ControllerEr
             context.machine.masters[master].look.mode = mode;
             let note = "LOOK MODE was set: the dry run takes corners by LOOK ANG in any mode";
             context.machine.notes.insert(note.to_owned());
+            return context.keep_for_master(call, master, vec![number(mode)]);
         }
     }
     Ok(Outcome::Done)

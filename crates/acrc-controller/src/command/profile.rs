@@ -5,6 +5,7 @@ use acrc_motion::{MoveSettings, SettingError};
 use acrc_vm::{Call, Outcome};
 
 use super::arguments::scalar;
+use super::master_settings::number;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
 use crate::master::Master;
@@ -43,7 +44,12 @@ fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, Controll
             let command = call.command.info().name;
             return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
         }
-        Some(value) => change(master, call.command, value).map_err(refused)?,
+        Some(value) => {
+            change(master, call.command, value).map_err(refused)?;
+            if call.command == command::ROV {
+                return context.keep_for_master(call, index, vec![number(value)]);
+            }
+        }
     }
     Ok(Outcome::Done)
 }

@@ -5,6 +5,7 @@ use acrc_motion::Advanced;
 use acrc_vm::{Call, Outcome, Reference, Source};
 
 use super::arguments::scalar;
+use super::master_settings::number;
 use super::settings::{argument_items, source_name};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
@@ -21,7 +22,7 @@ pub(crate) struct TimeBase {
     /// Count of the source at the last tick.
     count: i32,
     /// `TOV`
-    factor: f64,
+    pub(super) factor: f64,
     /// How much time passed in the last tick, in servo periods: what velocities along the path are to be multiplied by.
     pub(crate) rate: f64,
 }
@@ -43,11 +44,8 @@ fn source(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
     let [Item::Source(source)] = argument_items(command, argument)?[..] else {
         return Err(ControllerError::Expected { command, expected: "a source" });
     };
-    // What cannot be read is said now, not in the middle of a move.
-    let count = context.machine.source_count(source)?.unwrap_or(0);
-    let time = &mut context.machine.masters[master].time;
-    (time.source, time.count) = (source, count);
-    Ok(Outcome::Done)
+    context.machine.set_source(master, source)?;
+    context.keep_for_master(call, master, vec![Item::Source(source)])
 }
 
 /// `TOV 0.5`: half of the time passes.
@@ -62,12 +60,23 @@ fn stretch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
             let command = call.command.info().name;
             return Err(ControllerError::BadValue { command, problem: format!("{factor} is negative") });
         }
-        Some(factor) => context.machine.masters[master].time.factor = factor,
+        Some(factor) => {
+            context.machine.masters[master].time.factor = factor;
+            return context.keep_for_master(call, master, vec![number(factor)]);
+        }
     }
     Ok(Outcome::Done)
 }
 
 impl Machine {
+    /// Sets what moves the time of a master on. What cannot be read is said now, not in the middle of a move.
+    pub(super) fn set_source(&mut self, master: usize, source: Source) -> Result<(), ControllerError> {
+        let count = self.source_count(source)?.unwrap_or(0);
+        let time = &mut self.masters[master].time;
+        (time.source, time.count) = (source, count);
+        Ok(())
+    }
+
     /// Lets the time of a master pass that belongs to one servo period.
     pub(crate) fn pass_time(&mut self, index: usize) -> Advanced {
         let TimeBase { source, count, factor, .. } = self.masters[index].time;

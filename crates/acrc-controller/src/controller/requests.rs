@@ -152,6 +152,12 @@ impl Controller {
         if let Task::Plc(number) = task {
             self.plcs[usize::from(number)].ladder = Ladder::new(number);
         }
+        if let Task::Program(number) = task
+            && let Ok(master) = self.machine.master_of(number)
+        {
+            // What a run before this one has left half said.
+            self.machine.masters[usize::from(master)].forget();
+        }
         let program = self.program_mut(task);
         let held = program.state == State::Paused;
         program.start();

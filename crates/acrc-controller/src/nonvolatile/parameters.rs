@@ -95,6 +95,7 @@ impl Machine {
         master.vector = saved.vector;
         master.profiler.set_vector(saved.vector).map_err(refused)?;
         master.profiler.set_feedrate_override(saved.feedrate_override).map_err(refused)?;
+        self.restore_master(usize::from(number))?;
         let Some(program) = saved.program else { return Ok(()) };
         let program = Self::object("PROG", i64::from(program), self.model.programs)?;
         self.attach_master(program, number)?;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Ran, Sim};
+use crate::support::{Ran, Sim, TWO_AXES};
 
 /// A quarter of a circle of 10 units about the origin, from (10, 0) to (0, 10).
 const QUARTER: &str =
@@ -81,6 +81,12 @@ fn a_curve_that_begins_elsewhere_jumps_and_the_run_says_so() {
 fn kill_all_moves_forgets_an_open_curve() {
     let ran = Sim::program("SPLINE MODE 0\nX10\nX20\nX30\nSET 522\nCLR 522\nX5\nINH -516").run().clean();
     assert_eq!(ran.position(0), 5.0);
+}
+
+#[test]
+fn another_run_of_the_program_begins_without_the_curve_of_the_one_before() {
+    let text = format!("{TWO_AXES}PROGRAM\nSPLINE MODE 0\nX1\nENDP\nPROG1\nPROGRAM\nDWL 1\nRUN PROG0\nENDP\n");
+    assert_eq!(Sim::new(&text).start(&[0, 1]).faults(), [""; 0]);
 }
 
 #[test]

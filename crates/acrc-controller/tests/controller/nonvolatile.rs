@@ -45,6 +45,16 @@ fn erase_forgets_what_was_saved_and_leaves_what_is_used() {
 }
 
 #[test]
+fn settings_of_masters_are_saved() {
+    let report = "PROG0\nROV\nTOV\nSRC\nLOOK ANG\nROTARY X\n";
+    let set = "ROV 0.5 TOV 0.25 SRC ENC1\nLOOK ANG 10 45\nROTARY X360\n";
+    let text = format!(
+        "{TWO_AXES}{set}SYS\nESAVE\nPROG0\nROV 1 SRC CLOCK\nREBOOT\n{report}SYS\nERASE\nREBOOT\nPROG0\nATTACH MASTER0\nROV\nSRC\n"
+    );
+    assert_eq!(Sim::new(&text).prints(), ["0.5", "0.25", "ENC1", "10", "45", "360", "1", "CLOCK"]);
+}
+
+#[test]
 fn eload_brings_back_what_esave_saved() {
     let text = format!(
         "{TWO_AXES}DETACH SLAVE1\nSYS\nESAVE\nPROG0\nVEL 20\nATTACH SLAVE1 AXIS5 \"Z\"\nSYS\nELOAD\nPROG0\nVEL\nATTACH SLAVE1 AXIS5 \"W\"\nX1 W1\n"

@@ -19,6 +19,22 @@ const LOOPS: &[&str] = &[
     "FOR P7 = 1 TO 50\nP2 = P2 + RND(9)\nIF (P7 = 33) THEN P38912 = P7 : PRINT 1 / (P2 MOD 2)\nNEXT",
 ];
 
+/// What bends moves, stretches their time, or lets them wait for each other.
+const PATHS: &[&str] = &[
+    "ROTATE 30",
+    "ROTATE 0",
+    "LOOK ON",
+    "LOOK OFF",
+    "TOV 0.5",
+    "TOV 1",
+    "SRC P2",
+    "SRC CLOCK",
+    "SYNC ON MASTER0 MASTER1",
+    "SYNC OFF MASTER0 MASTER1",
+    "SPLINE END",
+    "TARC OFF",
+];
+
 fn program() -> impl Strategy<Value = u8> {
     select(&PROGRAMS)
 }
@@ -45,6 +61,7 @@ fn statement(axis: Option<&'static str>) -> BoxedStrategy<String> {
         4 => (-20..20_i32, select(&["", "/"])).prop_map(move |(to, slash)| format!("{axis}{slash}{to}")),
         1 => Just("INH -516".to_owned()),
         1 => (0..3_u32).prop_map(|stop| format!("STP {}", stop * 50)),
+        4 => special(axis),
     ];
     prop_oneof![quiet, moving].boxed()
 }
@@ -82,6 +99,21 @@ fn meddling() -> impl Strategy<Value = String> {
         3 => flag,
         2 => Just(RECOVERY.to_owned()),
         1 => Just("AXIS2 JOG INC 3".to_owned()),
+    ]
+}
+
+/// Moves that bend, wait or are cut short, and what bends others.
+fn special(axis: &'static str) -> impl Strategy<Value = String> {
+    prop_oneof![
+        select(PATHS).prop_map(str::to_owned),
+        (0..4_u32, select(&["", "-"])).prop_map(|(input, sign)| format!("TRG {sign}{input}")),
+        (0..4_u32, 0..20_u32).prop_map(move |(input, to)| format!("INT {input} {axis}{to}")),
+        (0..20_u32).prop_map(move |to| format!("TRJ {axis}{to}")),
+        (1..20_u32).prop_map(move |to| format!("HSINT {axis}(0, {to}, 2, 1, 3, 0, 2)")),
+        (-9..9_i32).prop_map(move |phase| format!("SINE {axis}(4, {phase}, 300, 3)")),
+        (0..9_i32).prop_map(move |shift| format!("OFFSET {axis}{shift}\nSCALE {axis}2\nROTARY {axis}9")),
+        (1..9_i32).prop_map(move |to| format!("SPLINE MODE 0\n{axis}/{to}\n{axis}/5\n{axis}/-3\nSPLINE END")),
+        Just("CIRCCW X(0, 5) Y(0, 0)".to_owned()),
     ]
 }
 
