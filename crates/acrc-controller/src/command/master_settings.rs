@@ -49,7 +49,7 @@ impl Machine {
         let master = &mut self.masters[index];
         master.profiler.set_rapid_override(rapid).map_err(refused)?;
         master.time.factor = stretch;
-        master.look = Look { mode, angles, ..master.look };
+        master.look = Look { angles, mode, ..master.look };
         self.set_source(index, source)
     }
 

@@ -23,6 +23,32 @@ fn ctrl_x_ends_programs_and_kills_motion_at_once() {
 }
 
 #[test]
+fn ctrl_x_drops_moves_of_every_kind() {
+    for moves in [
+        "CIRCCW X(0, 5) Y(0, 0)",
+        "TRG 5\nX10",
+        "INT 5 X10",
+        "HSINT X(0, 10, 2)",
+        "SPLINE MODE 0\nX10\nX20\nX30",
+        "SYNC ON MASTER0 MASTER1\nX10",
+        "SRC NONE\nX10",
+    ] {
+        let mut desk = Desk::with(&format!("{TWO_AXES}PROGRAM\nTRG 6\nX1\nTRJ X2\n{moves}\nINH -516\nENDP\n"));
+        desk.send("PROG0\rRUN\r");
+        desk.wait(0.5);
+        assert!(desk.bit(516) && desk.bit(1024), "{moves}");
+        desk.controller.receive(desk.channel, b"\x18\x19");
+        assert!(!desk.bit(516) && !desk.bit(1024), "{moves}");
+        // Nothing of it is left for the next move.
+        assert_eq!(desk.ask("SYNC OFF MASTER0 MASTER1"), "");
+        assert_eq!(desk.ask("SRC CLOCK"), "");
+        assert_eq!(desk.ask("X-3"), "");
+        desk.wait(5.0);
+        assert_eq!(desk.controller.view().position(0), -3.0, "{moves}");
+    }
+}
+
+#[test]
 fn ctrl_x_ends_plc_programs() {
     let mut desk = Desk::with("SYS\nDIM PLC0(400)\nPLC0\nPROGRAM\nLD NOT 128\nOUT 40\nENDP\nRUN\n");
     desk.wait(0.1);
