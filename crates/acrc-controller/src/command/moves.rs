@@ -52,7 +52,7 @@ impl Machine {
         if !self.moves(master) {
             self.begin_time(master);
         }
-        self.take_rotary_lengths(master)
+        self.take_axes(master)
     }
 }
 

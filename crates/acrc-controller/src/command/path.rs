@@ -1,7 +1,7 @@
-//! What bends, shifts and turns the paths of moves that follow (guide, groups "Transformation", "Feedback Control",
+//! What bends, shifts, turns and slows down the paths of moves that follow (guide, groups "Transformation", "Feedback Control",
 //! "Interpolation" and "Velocity Profile" of the command list).
 
-use acrc_catalog::command;
+use acrc_catalog::{CommandId, command};
 use acrc_motion::{Lookahead, SettingError, Tangent};
 use acrc_vm::{Arg, Call, Outcome};
 
@@ -14,7 +14,8 @@ use crate::master::SLOTS;
 use crate::settings::Item;
 
 pub(super) const COMMANDS: &[Entry] = &[
-    (command::ROTARY, Action::Run(rotary)),
+    (command::ROTARY, Action::Run(of_axis)),
+    (command::MAXVEL, Action::Run(of_axis)),
     (command::FLZ, Action::Run(shift)),
     (command::OFFSET, Action::Run(shift)),
     (command::SCALE, Action::Run(scale)),
@@ -30,32 +31,34 @@ pub(super) const COMMANDS: &[Entry] = &[
 /// A turn of an axis that is no rotary axis, in units: degrees.
 const TURN: f64 = 360.0;
 
-/// `ROTARY X360`: a setting of the axis, which its master looks at when it lays a path.
-fn rotary(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+/// `ROTARY X360`, `MAXVEL X20`: settings of the axis, which its master looks at when it lays a path.
+fn of_axis(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     for argument in context.axes(call)? {
-        if let Some(length) = argument.value.numbers(command)?.into_iter().find(|length| *length < 0.0) {
-            return Err(ControllerError::BadValue { command, problem: format!("{length} is negative") });
+        if let Some(value) = argument.value.numbers(command)?.into_iter().find(|value| *value < 0.0) {
+            return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
         }
     }
     settings::keep(context, call)
 }
 
 impl Machine {
-    /// Tells the profiler of a master which of its axes are rotary.
-    pub(super) fn take_rotary_lengths(&mut self, master: usize) -> Result<(), ControllerError> {
+    /// Tells the profiler of a master what its axes are like.
+    pub(super) fn take_axes(&mut self, master: usize) -> Result<(), ControllerError> {
         for slot in 0..SLOTS {
             let Some(axis) = self.masters[master].slots[slot] else { continue };
-            let length = self.rotary_length(axis)?;
-            self.masters[master].profiler.set_rotary(slot, length).map_err(refused)?;
+            let [turn, ceiling] = [command::ROTARY, command::MAXVEL].map(|command| self.axis_setting(command, axis));
+            let profiler = &mut self.masters[master].profiler;
+            profiler.set_rotary(slot, turn?).map_err(refused)?;
+            profiler.set_ceiling(slot, ceiling?).map_err(refused)?;
         }
         Ok(())
     }
 
-    /// The length of a turn of an axis, u; zero for a linear one.
-    fn rotary_length(&self, axis: u8) -> Result<f64, ControllerError> {
-        match self.setting(command::ROTARY, u16::from(axis))?.first() {
-            Some(Item::Number(length)) => real(command::ROTARY.info().name, length),
+    /// The value of a setting of an axis that has one; zero at power-up.
+    fn axis_setting(&self, command: CommandId, axis: u8) -> Result<f64, ControllerError> {
+        match self.setting(command, u16::from(axis))?.first() {
+            Some(Item::Number(value)) => real(command.info().name, value),
             _ => Ok(0.0),
         }
     }
@@ -152,7 +155,7 @@ fn tangent_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerE
         _ => return Err(expected),
     };
     let axis = context.slot(call, master, turned.axis)?;
-    let length = context.machine.rotary_length(turned.axis)?;
+    let length = context.machine.axis_setting(command::ROTARY, turned.axis)?;
     let turn = if length > 0.0 { length } else { TURN };
     let tangent = Tangent { plane, axis, turn, offset };
     context.machine.masters[master].profiler.set_tangent(Some(tangent)).map_err(refused)?;

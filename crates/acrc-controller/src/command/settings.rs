@@ -8,10 +8,6 @@ use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::settings::{Item, most_objects};
 
-/// Settings that change the path, the velocity or the time of coordinated moves in ways that the dry run does not follow. They are refused, since a run
-/// that left them out would show another motion.
-const SHAPING: [CommandId; 1] = [command::MAXVEL];
-
 /// Settings that act by themselves on the controller unless they are 0, and what the run says of them.
 const ACTING: [(CommandId, &str); 1] = [(command::ENC_ROTARY, "was set: the dry run does not fold encoder positions")];
 
@@ -27,7 +23,7 @@ pub(super) const COMMANDS: &[Entry] = &[(command::FSTAT_CLEAR, Action::Run(forge
 
 /// How a setting is executed, if the command is one.
 pub(super) fn action(info: &Command) -> Option<Action> {
-    (info.setting && !SHAPING.contains(&info.id)).then_some(Action::Run(keep))
+    info.setting.then_some(Action::Run(keep))
 }
 
 /// Keeps the values of each object of a call, or reports them where none are given.

@@ -186,7 +186,7 @@ fn a_weight_belongs_to_the_attachment() {
 
 #[test]
 fn kinds_of_moves_that_are_not_simulated_are_known_before_the_run() {
-    for (statement, name) in [("MAXVEL X5", "MAXVEL"), ("MSEEK X(1, 0)", "MSEEK")] {
+    for (statement, name) in [("SYNC PROG", "SYNC PROG"), ("PM ON X", "PM ON")] {
         let image = Sim::program(statement).image();
         let found = acrc_controller::Controller::unsupported(&image, &[0], &[]);
         let found: Vec<_> = found.iter().map(|item| (item.command.info().name, item.line)).collect();
@@ -196,7 +196,7 @@ fn kinds_of_moves_that_are_not_simulated_are_known_before_the_run() {
 
 #[test]
 fn what_is_not_simulated_is_refused_at_run_time_too() {
-    assert_eq!(Sim::program("MAXVEL X5").faults(), ["MAXVEL is not simulated"]);
+    assert_eq!(Sim::program("SYNC PROG").faults(), ["SYNC PROG is not simulated"]);
 }
 
 #[test]

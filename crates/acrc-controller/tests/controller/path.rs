@@ -145,3 +145,15 @@ fn the_final_velocity_only_slows_down() {
     let expected = (0.1 + 0.9125 + 0.05 + 0.05 + 0.9125 + 0.1) * 1000.0;
     assert!((time("FVEL 5\nX10\nFVEL 0\nX20") - expected).abs() < 2.0);
 }
+
+#[test]
+fn no_move_makes_an_axis_faster_than_its_highest_velocity() {
+    let time = |body: &str| Sim::program(&format!("{body}\nINH -516")).run().clean().milliseconds();
+    // Y has 4/5 of the velocity along the path, which is 5 u/s then.
+    assert_eq!(time("MAXVEL Y4\nX6 Y8"), 2050.0);
+    assert_eq!(time("MAXVEL Y4\nX10"), 1100.0);
+    assert_eq!(time("MAXVEL Y4\nFOV 2\nX6 Y8"), 2050.0);
+    assert_eq!(time("MAXVEL Y4\nMAXVEL Y0\nX6 Y8"), 1100.0);
+    assert_eq!(Sim::program("MAXVEL X5\nMAXVEL X Y").prints(), ["5", "0"]);
+    assert_eq!(Sim::program("MAXVEL X-5").faults(), ["MAXVEL: -5 is negative"]);
+}

@@ -23,13 +23,21 @@ pub(super) struct Ground {
     pub(super) vector: f64,
     /// Length of a turn of each rotary axis (ROTARY), u; zero is a linear axis.
     pub(super) rotary: [f64; AXES],
+    /// How fast each axis may be (MAXVEL), u/s; zero is no limit.
+    pub(super) ceilings: [f64; AXES],
     pub(super) frame: Frame,
     pub(super) tangent: Option<Tangent>,
 }
 
 impl Ground {
-    pub(super) const DEFAULT: Self =
-        Self { weights: [1.0; AXES], vector: 0.0, rotary: [0.0; AXES], frame: Frame::NONE, tangent: None };
+    pub(super) const DEFAULT: Self = Self {
+        weights: [1.0; AXES],
+        vector: 0.0,
+        rotary: [0.0; AXES],
+        ceilings: [0.0; AXES],
+        frame: Frame::NONE,
+        tangent: None,
+    };
 
     /// Lays the path of a move that begins at `start`.
     pub(super) fn lay(&self, start: &[f64; AXES], command: &Move) -> Result<Path, PushError> {
@@ -48,7 +56,7 @@ impl Ground {
         }
         let end = self.end(start, command, &draft)?;
         let shape = if draft.winds() { Shape::Winding(self.wind(&draft, start)) } else { Shape::Straight };
-        let mut path = Path::new(start, &end, &shape, &self.weights, self.vector)?;
+        let mut path = self.path(start, &end, &shape)?;
         if let Some(tangent) = self.tangent.as_ref().filter(|tangent| !draft.taken[tangent.axis]) {
             tangent.apply(&mut path, start);
         }
@@ -57,7 +65,13 @@ impl Ground {
 
     /// A straight path between two places of the axes.
     pub(super) fn straight(&self, start: &[f64; AXES], end: &[f64; AXES]) -> Result<Path, PushError> {
-        Path::new(start, end, &Shape::Straight, &self.weights, self.vector)
+        self.path(start, end, &Shape::Straight)
+    }
+
+    fn path(&self, start: &[f64; AXES], end: &[f64; AXES], shape: &Shape) -> Result<Path, PushError> {
+        let mut path = Path::new(start, end, shape, &self.weights, self.vector)?;
+        path.limit(&self.ceilings, &self.weights);
+        Ok(path)
     }
 
     /// Lays a piece of a curve, for axes that are at `start`.
@@ -83,7 +97,7 @@ impl Ground {
             }
         }
         let measured = Measured::new(&image, &self.weights);
-        let mut path = Path::new(start, &end, &Shape::Span(measured), &self.weights, self.vector)?;
+        let mut path = self.path(start, &end, &Shape::Span(measured))?;
         if let Some(tangent) = self.tangent.as_ref().filter(|tangent| !span.moves[tangent.axis]) {
             tangent.apply(&mut path, start);
         }

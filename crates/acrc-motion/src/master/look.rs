@@ -78,6 +78,7 @@ impl Master {
             } else {
                 f64::INFINITY
             };
+            let ceiling = ceiling.min(this.path.ceiling());
             let own = (this.settings.stop > 0.0).then_some(this.settings.final_velocity);
             let end = exit.or(own);
             let entry = end.map_or(f64::INFINITY, |end| entry(&this.path, &this.settings, end)).min(ceiling);
@@ -105,6 +106,7 @@ impl Master {
                 // A corner that costs nothing does not limit the override either.
                 if share == 1.0 { next.entry } else { next.entry.min(share * full) }
             }
+            (Some(next), None) if next.path.ceiling().is_finite() => next.path.ceiling(),
             (None, Some(_)) if !path.is_joined() => 0.0,
             _ => return None,
         };

@@ -47,6 +47,8 @@ pub(super) struct Path {
     length: f64,
     shape: Shape,
     turning: Option<Turning>,
+    /// How fast it may be followed, u/s.
+    ceiling: f64,
 }
 
 impl Path {
@@ -80,7 +82,7 @@ impl Path {
             return Err(PushError::NoVectorLength);
         }
         finite(Quantity::Length, length)?;
-        Ok(Self { start: *start, end: *end, length, shape: *shape, turning: None })
+        Ok(Self { start: *start, end: *end, length, shape: *shape, turning: None, ceiling: f64::INFINITY })
     }
 
     /// Length along the path, u. Zero only if no axis moves.
@@ -91,6 +93,32 @@ impl Path {
     /// Where each axis is when the move is done, u: the targets, to the bit.
     pub(super) fn end(&self) -> &[f64; AXES] {
         &self.end
+    }
+
+    /// How fast it may be followed, u/s.
+    pub(super) fn ceiling(&self) -> f64 {
+        self.ceiling
+    }
+
+    /// Keeps every axis below its ceiling; zero is none.
+    pub(super) fn limit(&mut self, ceilings: &[f64; AXES], weights: &[f64; AXES]) {
+        for (slot, ceiling) in ceilings.iter().enumerate().filter(|(_, ceiling)| **ceiling > 0.0) {
+            let fastest = self.part(self.fastest(slot, weights[slot]));
+            if fastest > 0.0 {
+                self.ceiling = self.ceiling.min(ceiling / fastest);
+            }
+        }
+    }
+
+    /// A bound of how far an axis goes for each part of the length.
+    fn fastest(&self, slot: usize, weight: f64) -> f64 {
+        match &self.shape {
+            Shape::Winding(winding) => winding.fastest(slot),
+            Shape::Span(span) if !span.moves(slot) => 0.0,
+            // Somewhere it may lead along the axis alone. One without weight adds nothing to the length.
+            Shape::Span(_) if weight > 0.0 => self.length / weight,
+            Shape::Straight | Shape::Span(_) => self.displacement(slot).abs(),
+        }
     }
 
     /// Whether all axes move evenly.

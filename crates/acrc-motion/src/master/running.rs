@@ -39,7 +39,7 @@ impl Running {
     /// `factor` scales the target velocity: the override, or zero to come to rest.
     pub(super) fn begin(queued: &Queued, state: State, factor: f64, timer: Timer) -> Self {
         let mut settings = queued.settings;
-        let ceiling = settings.velocity * factor;
+        let ceiling = (settings.velocity * factor).min(queued.path.ceiling());
         let start = if state.velocity > 0.0 { state.velocity } else { settings.initial_velocity.min(ceiling) };
         if settings.time > 0.0 {
             settings = timed(&settings, queued.path.length(), start);
@@ -117,7 +117,7 @@ impl Running {
         let factor = if self.cut { 0.0 } else { factor };
         let rest = self.path.length() - self.state.position;
         let mut request = request(&self.settings, rest, self.state.velocity);
-        request.velocity = (request.velocity * factor).min(f64::MAX);
+        request.velocity = (request.velocity * factor).min(self.path.ceiling()).min(f64::MAX);
         (request.stop, request.final_velocity) = self.end();
         // The values were checked when the move was queued. A velocity too small to ever end the path is rest.
         Moving::plan(&request, self.state.acceleration).unwrap_or(Moving::from(Profile::at_rest()))

@@ -46,6 +46,17 @@ impl Master {
         Ok(())
     }
 
+    /// Sets how fast a slot may be in moves laid from now on, u/s (MAXVEL); zero, the default, is no limit.
+    ///
+    /// A move that would make the axis faster is followed more slowly, whatever the override, and so ends the move before
+    /// it. An axis that turns counts with the highest speed of its circle, also where the arc does not reach it, and one on a
+    /// curve as if the curve led along it. An axis that points along the path is not limited.
+    pub fn set_ceiling(&mut self, slot: usize, velocity: f64) -> Result<(), SettingError> {
+        not_negative(Quantity::Velocity, velocity)?;
+        *place(&mut self.ground.ceilings, slot)? = velocity;
+        Ok(())
+    }
+
     /// Sets the factor on the target velocity of feeding moves (FOV), the running one too, which changes to its new
     /// velocity with its acceleration or deceleration ramp. At zero it comes to rest until the factor rises again.
     ///

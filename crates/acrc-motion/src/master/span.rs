@@ -152,6 +152,10 @@ impl Measured {
         self.length
     }
 
+    pub(super) fn moves(&self, slot: usize) -> bool {
+        self.span.moves.get(slot).is_some_and(|moves| *moves)
+    }
+
     pub(super) fn joined(&self) -> bool {
         self.span.joined
     }

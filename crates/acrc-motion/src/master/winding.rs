@@ -5,6 +5,7 @@
 
 use super::AXES;
 use super::frame::Rotation;
+use crate::root::sqrt;
 use crate::trig::sin_cos;
 
 /// The law of one axis, in the coordinates of the program, scaled.
@@ -48,6 +49,11 @@ impl Term {
             }
     }
 
+    /// The highest speed that it may have anywhere.
+    fn fastest(&self) -> f64 {
+        self.slope.abs() + self.sweep.abs() * sqrt(self.cos * self.cos + self.sin * self.sin)
+    }
+
     /// The mean of the square of the first derivative from 0 to 1.
     pub(super) fn mean_square(&self) -> f64 {
         let Self { slope, cos: a, sin: b, sweep, .. } = *self;
@@ -84,6 +90,23 @@ impl Winding {
         let [x, y] = if order == 0 { rotation.center } else { [0.0; 2] };
         let [dx, dy] = rotation.turned([self.terms[first].at(order, s) - x, self.terms[second].at(order, s) - y]);
         shift + if slot == first { x + dx } else { y + dy }
+    }
+
+    /// A bound of the first derivative, by `s`, of where an axis is.
+    pub(super) fn fastest(&self, slot: usize) -> f64 {
+        let Some(term) = self.terms.get(slot) else { return 0.0 };
+        let Some(rotation) = self.rotation.as_ref().filter(|rotation| rotation.partner(slot).is_some()) else {
+            return term.fastest();
+        };
+        let [first, second] = rotation.slots.map(|slot| &self.terms[slot]);
+        let [x, y] =
+            if slot == rotation.slots[0] { [rotation.cos, -rotation.sin] } else { [rotation.sin, rotation.cos] };
+        if first.winds() && second.winds() && first.sweep != second.sweep {
+            return x.abs() * first.fastest() + y.abs() * second.fastest();
+        }
+        let sweep = if first.winds() { first.sweep } else { second.sweep };
+        let mixed = |of: fn(&Term) -> f64| x * of(first) + y * of(second);
+        Term { base: 0.0, slope: mixed(|t| t.slope), cos: mixed(|t| t.cos), sin: mixed(|t| t.sin), sweep }.fastest()
     }
 
     /// How far the direction in the plane of two axes turns along an arc, radians; zero on other paths.
