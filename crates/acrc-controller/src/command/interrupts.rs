@@ -104,8 +104,7 @@ fn join(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
     }
     let joined =
         masters.iter().filter(|master| master.group & group != 0).fold(group, |all, master| all | master.group);
-    for (index, master) in masters.iter_mut().enumerate().filter(|(index, _)| joined >> index & 1 == 1) {
-        debug_assert!(index < u32::BITS as usize);
+    for (_, master) in masters.iter_mut().enumerate().filter(|(index, _)| joined >> index & 1 == 1) {
         master.group = joined;
         master.profiler.set_synchronised(true);
     }
