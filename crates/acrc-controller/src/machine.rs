@@ -161,7 +161,7 @@ impl Machine {
     /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
     pub(crate) fn tick(&mut self, arrays: &mut dyn Arrays) {
         self.clock.advance(1);
-        self.read_axis_sources();
+        self.read_sources();
         self.apply_events();
         for index in 0..self.masters.len() {
             if self.masters[index].profiler.in_motion() {

@@ -1,7 +1,7 @@
 //! What bends, shifts, turns and slows down the paths of moves that follow (guide, groups "Transformation", "Feedback Control",
 //! "Interpolation" and "Velocity Profile" of the command list).
 
-use acrc_catalog::{CommandId, command};
+use acrc_catalog::command;
 use acrc_motion::{Lookahead, SettingError, Tangent};
 use acrc_vm::{Arg, Call, Outcome};
 
@@ -11,7 +11,6 @@ use super::{Action, Context, Entry, settings};
 use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::master::SLOTS;
-use crate::settings::Item;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::ROTARY, Action::Run(of_axis)),
@@ -47,20 +46,13 @@ impl Machine {
     pub(super) fn take_axes(&mut self, master: usize) -> Result<(), ControllerError> {
         for slot in 0..SLOTS {
             let Some(axis) = self.masters[master].slots[slot] else { continue };
-            let [turn, ceiling] = [command::ROTARY, command::MAXVEL].map(|command| self.axis_setting(command, axis));
+            let [turn, ceiling] =
+                [command::ROTARY, command::MAXVEL].map(|command| self.first_setting(command, u16::from(axis)));
             let profiler = &mut self.masters[master].profiler;
-            profiler.set_rotary(slot, turn?).map_err(refused)?;
-            profiler.set_ceiling(slot, ceiling?).map_err(refused)?;
+            profiler.set_rotary(slot, turn).map_err(refused)?;
+            profiler.set_ceiling(slot, ceiling).map_err(refused)?;
         }
         Ok(())
-    }
-
-    /// The value of a setting of an axis that has one; zero at power-up.
-    fn axis_setting(&self, command: CommandId, axis: u8) -> Result<f64, ControllerError> {
-        match self.setting(command, u16::from(axis))?.first() {
-            Some(Item::Number(value)) => real(command.info().name, value),
-            _ => Ok(0.0),
-        }
     }
 }
 
@@ -155,7 +147,7 @@ fn tangent_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerE
         _ => return Err(expected),
     };
     let axis = context.slot(call, master, turned.axis)?;
-    let length = context.machine.axis_setting(command::ROTARY, turned.axis)?;
+    let length = context.machine.first_setting(command::ROTARY, u16::from(turned.axis));
     let turn = if length > 0.0 { length } else { TURN };
     let tangent = Tangent { plane, axis, turn, offset };
     context.machine.masters[master].profiler.set_tangent(Some(tangent)).map_err(refused)?;

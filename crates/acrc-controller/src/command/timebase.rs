@@ -1,8 +1,8 @@
 //! The time in which the moves of a master pass (guide, command list: `SRC`, `TOV`).
 
-use acrc_catalog::{Keyword, ObjectKind, command};
+use acrc_catalog::{Keyword, command};
 use acrc_motion::Advanced;
-use acrc_vm::{Call, Outcome, Reference, Source};
+use acrc_vm::{Call, Outcome, Source};
 
 use super::arguments::scalar;
 use super::master_settings::number;
@@ -10,6 +10,7 @@ use super::settings::{argument_items, source_name};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
 use crate::machine::Machine;
+use crate::motion::{Feed, Follower};
 use crate::settings::Item;
 
 pub(super) const COMMANDS: &[Entry] = &[(command::SRC, Action::Run(source)), (command::TOV, Action::Run(stretch))];
@@ -19,8 +20,9 @@ pub(super) const COMMANDS: &[Entry] = &[(command::SRC, Action::Run(source)), (co
 pub(crate) struct TimeBase {
     /// `SRC`
     source: Source,
-    /// Count of the source at the last tick.
-    count: i32,
+    pub(crate) follower: Follower,
+    /// Counts of the source that have not yet passed.
+    counts: f64,
     /// `TOV`
     pub(super) factor: f64,
     /// How much time passed in the last tick, in servo periods: what velocities along the path are to be multiplied by.
@@ -28,8 +30,13 @@ pub(crate) struct TimeBase {
 }
 
 impl TimeBase {
-    pub(crate) const CLOCK: Self =
-        Self { source: Source::Word(Keyword::Clock, None), count: 0, factor: 1.0, rate: 1.0 };
+    pub(crate) const CLOCK: Self = Self {
+        source: Source::Word(Keyword::Clock, None),
+        follower: Follower::CLOCK,
+        counts: 0.0,
+        factor: 1.0,
+        rate: 1.0,
+    };
 }
 
 /// `SRC ENC0`, `SRC P12290`, `SRC CLOCK`, `SRC NONE`
@@ -71,53 +78,56 @@ fn stretch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
 impl Machine {
     /// Sets what moves the time of a master on. What cannot be read is said now, not in the middle of a move.
     pub(super) fn set_source(&mut self, master: usize, source: Source) -> Result<(), ControllerError> {
-        let count = self.source_count(source)?.unwrap_or(0);
+        let feed = self.checked_feed(source)?;
+        let follower = self.follow(feed);
         let time = &mut self.masters[master].time;
-        (time.source, time.count) = (source, count);
+        (time.source, time.follower) = (source, follower);
         Ok(())
     }
 
-    /// Lets the time of a master pass that belongs to one servo period.
-    pub(crate) fn pass_time(&mut self, index: usize) -> Advanced {
-        let TimeBase { source, count, factor, .. } = self.masters[index].time;
-        let counts = match self.source_count(source) {
-            // The clock counts servo periods.
-            Ok(None) if matches!(source, Source::Word(Keyword::Clock, _)) => 1,
-            Ok(Some(now)) => {
-                self.masters[index].time.count = now;
-                now.wrapping_sub(count)
-            }
-            // A source that was taken away stands still, as none does.
-            Ok(None) | Err(_) => 0,
+    /// What a source names, if it exists and counts.
+    fn checked_feed(&self, source: Source) -> Result<Feed, ControllerError> {
+        let unknown = || {
+            let problem = format!("{} is no source that the dry run can follow", source_name(source));
+            ControllerError::BadValue { command: command::SRC.info().name, problem }
         };
+        let feed = Feed::of(source).ok_or_else(unknown)?;
+        match feed {
+            Feed::Encoder(encoder) => {
+                Self::object("ENC", i64::from(encoder), self.model.axes)?;
+            }
+            Feed::Parameter(number) => {
+                self.read_parameter(number)?.to_long().map_err(ControllerError::Program)?;
+            }
+            Feed::None | Feed::Clock | Feed::Ratchet(_) | Feed::Limiter(_) => {}
+        }
+        Ok(feed)
+    }
+
+    /// Reads the source of a master that moves, before anything does.
+    pub(crate) fn read_time(&mut self, index: usize) {
+        let mut follower = self.masters[index].time.follower;
+        let counts = self.counted(&mut follower);
+        let time = &mut self.masters[index].time;
+        time.follower = follower;
+        time.counts += counts;
+    }
+
+    /// Lets the time of a master pass that belongs to one servo period. Parts of a count wait for their whole.
+    pub(crate) fn pass_time(&mut self, index: usize) -> Advanced {
+        let period = self.clock.period();
         let master = &mut self.masters[index];
-        master.time.rate = f64::from(counts) * factor;
-        master.profiler.advance_counts(i64::from(counts), self.clock.period() * factor)
+        let time = &mut master.time;
+        let counts = time.counts.trunc();
+        time.counts -= counts;
+        time.rate = counts * time.factor;
+        master.profiler.advance_counts(counts as i64, period * time.factor)
     }
 
     /// Begins to count the source of a master that has been at rest.
-    pub(crate) fn begin_time(&mut self, index: usize) {
-        if let Ok(Some(count)) = self.source_count(self.masters[index].time.source) {
-            self.masters[index].time.count = count;
-        }
-    }
-
-    /// What a source has counted so far; `None` for one that is no counter.
-    fn source_count(&self, source: Source) -> Result<Option<i32>, ControllerError> {
-        match source {
-            Source::Word(Keyword::Clock | Keyword::None, _) => Ok(None),
-            Source::Reference(Reference::Parameter(number)) => {
-                let value = self.read_parameter(number)?;
-                value.to_long().map(Some).map_err(ControllerError::Program)
-            }
-            Source::Object(ObjectKind::Encoder, Some(index)) => {
-                let index = Self::object("ENC", i64::from(index), self.model.axes)?;
-                Ok(self.encoder_count(index))
-            }
-            other => {
-                let problem = format!("{} is no source that the dry run can follow", source_name(other));
-                Err(ControllerError::BadValue { command: command::SRC.info().name, problem })
-            }
-        }
+    pub(super) fn begin_time(&mut self, index: usize) {
+        let follower = self.follow(self.masters[index].time.follower.feed);
+        let time = &mut self.masters[index].time;
+        (time.follower, time.counts) = (follower, 0.0);
     }
 }

@@ -28,11 +28,36 @@ pub(crate) enum Feed {
     Limiter(u8),
 }
 
+impl Feed {
+    /// What a source stands for; `None` if it does not count.
+    pub(crate) fn of(source: Source) -> Option<Self> {
+        Some(match source {
+            Source::Object(ObjectKind::Encoder, Some(number)) => Self::Encoder(u8::try_from(number).ok()?),
+            Source::Object(ObjectKind::Ratch, Some(number)) => Self::Ratchet(u8::try_from(number).ok()?),
+            Source::Object(ObjectKind::Limit, Some(number)) => Self::Limiter(u8::try_from(number).ok()?),
+            Source::Reference(Reference::Parameter(number)) => Self::Parameter(number),
+            Source::Word(Keyword::Clock, None) => Self::Clock,
+            Source::Word(Keyword::None, None) => Self::None,
+            _ => return None,
+        })
+    }
+
+    /// Whether it passes the counts of another one on.
+    pub(super) fn is_gate(self) -> bool {
+        matches!(self, Self::Ratchet(_) | Self::Limiter(_))
+    }
+}
+
 /// A feed with the count that was last seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Follower {
-    pub(super) feed: Feed,
+    pub(crate) feed: Feed,
     last: f64,
+}
+
+impl Follower {
+    /// A follower of the clock.
+    pub(crate) const CLOCK: Self = Self { feed: Feed::Clock, last: 0.0 };
 }
 
 /// The followers of an axis.
@@ -99,35 +124,28 @@ impl Machine {
     }
 
     /// A follower that begins to count now.
-    pub(super) fn follow(&self, feed: Feed) -> Follower {
+    pub(crate) fn follow(&self, feed: Feed) -> Follower {
         Follower { feed, last: self.count_of(feed) }
     }
 
     fn feed(&mut self, id: CommandId, object: u16) -> Feed {
         let items = self.setting(id, object).unwrap_or_default();
         match items.first() {
-            Some(Item::Source(Source::Object(ObjectKind::Encoder, Some(number)))) => Feed::Encoder(*number as u8),
-            Some(Item::Source(Source::Object(ObjectKind::Ratch, Some(number)))) => Feed::Ratchet(*number as u8),
-            Some(Item::Source(Source::Object(ObjectKind::Limit, Some(number)))) => Feed::Limiter(*number as u8),
-            Some(Item::Source(Source::Reference(Reference::Parameter(number)))) => Feed::Parameter(*number),
-            Some(Item::Source(Source::Word(Keyword::Clock, None)) | Item::Factory("CLOCK")) => Feed::Clock,
-            Some(Item::Source(Source::Word(Keyword::None, None)) | Item::Factory(_) | Item::Number(_)) | None => {
-                Feed::None
-            }
-            Some(Item::Source(_)) => {
+            Some(Item::Source(source)) => Feed::of(*source).unwrap_or_else(|| {
                 let name = id.info().name;
                 self.notes
                     .insert(format!("{name} names a source that the dry run does not follow: nothing moves with it"));
                 Feed::None
-            }
+            }),
+            Some(Item::Factory("CLOCK")) => Feed::Clock,
+            Some(Item::Factory(_) | Item::Number(_)) | None => Feed::None,
         }
     }
 
     /// The count of a feed that counts by itself. Ratchets and limiters pass differences on.
     fn count_of(&self, feed: Feed) -> f64 {
         let value = match feed {
-            Feed::None | Feed::Ratchet(_) | Feed::Limiter(_) => return 0.0,
-            Feed::Clock => return self.clock.ticks() as f64,
+            Feed::None | Feed::Clock | Feed::Ratchet(_) | Feed::Limiter(_) => return 0.0,
             Feed::Encoder(encoder) => return f64::from(self.encoder_count(encoder).unwrap_or(0)),
             Feed::Parameter(number) => self.read_parameter(number),
         };
@@ -135,16 +153,17 @@ impl Machine {
     }
 
     /// What a feed has counted since it was last asked. Encoders wrap at 32 bits.
-    fn counted(&self, follower: &mut Follower) -> f64 {
+    pub(crate) fn counted(&self, follower: &mut Follower) -> f64 {
         match follower.feed {
             Feed::None => 0.0,
+            Feed::Clock => 1.0,
             Feed::Ratchet(number) => {
                 self.motion.gates.ratchets.get(usize::from(number)).map_or(0.0, |gate| gate.passed)
             }
             Feed::Limiter(number) => {
                 self.motion.gates.limiters.get(usize::from(number)).map_or(0.0, |gate| gate.passed)
             }
-            Feed::Clock | Feed::Parameter(_) | Feed::Encoder(_) => {
+            Feed::Parameter(_) | Feed::Encoder(_) => {
                 let now = self.count_of(follower.feed);
                 let before = std::mem::replace(&mut follower.last, now);
                 match follower.feed {
@@ -171,7 +190,7 @@ impl Machine {
     }
 
     /// What the sources of an axis have counted since the last tick. The period is that of the servo, s.
-    pub(super) fn read_sources(&mut self, axis: u8) -> SourceCounts {
+    pub(super) fn read_followers(&mut self, axis: u8) -> SourceCounts {
         let period = self.clock.period();
         let mut followers = self.axes[usize::from(axis)].followers;
         let jog = match followers.jog.feed {

@@ -38,15 +38,24 @@ impl Axis {
 }
 
 impl Machine {
-    /// Reads the sources of the axes that follow one.
-    pub(crate) fn read_axis_sources(&mut self) {
+    /// Reads the sources of what follows one, before anything moves.
+    pub(crate) fn read_sources(&mut self) {
+        let gated =
+            self.masters.iter().any(|master| master.time.follower.feed.is_gate() && master.profiler.in_motion());
+        if self.motion.awake || gated {
+            self.read_gates();
+        }
+        for master in 0..self.masters.len() {
+            if self.masters[master].profiler.in_motion() {
+                self.read_time(master);
+            }
+        }
         if !self.motion.awake {
             return;
         }
-        self.read_gates();
         for axis in 0..self.model.axes {
             if self.axes[usize::from(axis)].works() {
-                let counts = self.read_sources(axis);
+                let counts = self.read_followers(axis);
                 self.axes[usize::from(axis)].counts = counts;
             }
         }

@@ -66,9 +66,21 @@ fn a_time_override_stretches_moves() {
 fn sources_are_reported_as_they_are_written() {
     let body = "SRC\nSRC ENC1\nSRC\nSRC P12290\nSRC\nSRC NONE\nSRC";
     assert_eq!(Sim::program(body).prints(), ["CLOCK", "ENC1", "P12290", "NONE"]);
-    assert_eq!(Sim::program("SRC RATCH0").faults(), ["SRC: RATCH0 is no source that the dry run can follow"]);
+    assert_eq!(Sim::program("SRC DAC0").faults(), ["SRC: DAC0 is no source that the dry run can follow"]);
     assert_eq!(Sim::program("SRC P99999").faults(), ["P99999 is no parameter of this controller"]);
     assert_eq!(Sim::program("TOV -1").faults(), ["TOV: -1 is negative"]);
+}
+
+#[test]
+fn moves_can_follow_a_ratchet_and_a_limiter() {
+    // The move takes 2,200 periods; counts back have to be made up for.
+    let ratchet = "RATCH0 SRC P0\nRATCH0 MODE 3\nSRC RATCH0\nX10\nP0 = 1200\nDWL 0.01\nPRINT P12288\nP0 = 1000\nDWL 0.01\n\
+                   PRINT P12288\nP0 = 2400\nDWL 0.01\nPRINT P12288, BIT(516)";
+    assert_eq!(Sim::program(ratchet).prints(), ["6", "6", "10\t0"]);
+    // At 1,000 counts/s they take 2.2 s, whatever the source does at once.
+    let limiter = "LIMIT0 SRC P0\nLIMIT0 FREQ 1000\nSRC LIMIT0\nX10\nP0 = 5000\nINH -516";
+    let milliseconds = Sim::program(limiter).run().clean().milliseconds();
+    assert!((2200.0..2205.0).contains(&milliseconds), "{milliseconds}");
 }
 
 #[test]
