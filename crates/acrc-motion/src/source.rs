@@ -1,14 +1,7 @@
 //! What can stand between a source and the profiler that follows it: software ratchets and frequency limiters (RATCH,
 //! LIMIT), and the programmable limit switch, which follows a source with outputs (PLS).
 //!
-//! # Assumptions
-//!
-//! - RATCH MODE 3 passes positive counts and buffers negative ones, as a note of the vendor says: positive counts have to
-//!   make up for the buffered ones before they pass. What the other modes do is not known, but for 0, which is taken to
-//!   pass everything; [`RatchetRule`] says what can be chosen for each direction.
-//! - A limiter keeps what exceeds its rate and passes it later; LIMIT MULT multiplies what comes in.
-//! - The index of a limit switch is the whole part of `(source - FLZ) · RATIO`, brought into ROTARY if that is not zero.
-//!   Beyond the table it leaves its outputs alone.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Gear, cam and sources".
 
 use crate::wrap::wrap;
 

@@ -4,12 +4,7 @@
 //! GEAR PPU, times GEAR RATIO, are programming units of the axis. What the source did while the gear was off is not made
 //! up for. While the gear is engaged the offset is computed from the counts since then, so nothing drifts.
 //!
-//! # Assumptions
-//!
-//! - GEAR ACC and GEAR DEC limit how fast the axis takes on the speed of the source when the gear goes on or off or its
-//!   ratio changes; the way that is lost meanwhile stays lost. Once engaged the axis follows whatever the source does.
-//! - GEAR MAX and GEAR MIN are ends of the gear offset; both zero are none. At an end the offset stands, and leaves it as
-//!   soon as the source turns.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Gear, cam and sources".
 
 use super::Window;
 use crate::value::{InvalidValue, Quantity, finite, not_negative};

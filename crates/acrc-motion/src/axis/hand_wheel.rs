@@ -3,11 +3,7 @@
 //! A hand wheel is a gear whose output keeps limits: it goes where the counts of the wheel say, no faster than HDW VEL and
 //! with the ramps of HDW ACC, DEC and JRK, so it may still be on its way when the wheel stands.
 //!
-//! # Assumptions
-//!
-//! - Nothing but the names of the commands is documented. The output counts as a part of the gear offset; one unit of
-//!   the axis takes GEAR PPU counts; HDW VEL 0 is no limit.
-//! - HDW OFF ramps down to rest; what the wheel was turned beyond that is lost.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Gear, cam and sources".
 
 use super::{AxisState, Jog, JogError, JogSettings};
 use crate::value::{InvalidValue, Quantity, finite};

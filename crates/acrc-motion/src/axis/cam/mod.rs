@@ -8,14 +8,7 @@
 //!
 //! Nothing is compiled: points, scale and offsets act in the tick in which they change.
 //!
-//! # Assumptions
-//!
-//! - The points of a segment are spaced equally, the first at its start and the last at its end, where the next segment
-//!   begins with a point of its own.
-//! - The source counts only while the cam is on; off, the offset stays and the place in the table is kept.
-//! - CAM FLZ is added to the source before the table is looked up.
-//! - CAM RES v makes the offset v by a difference that is kept from then on, and clears the shift.
-//! - CAM CYCLE is a number of passes after which the cam goes off, at the end of the table; zero does not end it.
+//! What the guide leaves open, and how it is read here, stands in `docs/fidelity.md`, "Gear, cam and sources".
 
 mod table;
 
