@@ -231,6 +231,52 @@ fn ideal_axes_and_steppers_follow_their_setpoint() {
 }
 
 #[test]
+fn a_loop_is_steady_when_another_period_would_change_nothing() {
+    let gains = ServoGains { integral: 2.0, integral_limit: 5.0, derivative: 0.001, ..off() };
+    let mut x = servo(gains);
+    assert!(!x.is_steady(), "nothing is known yet");
+    x.update(&at(0.0, 0.0));
+    x.update(&at(0.0, 0.0));
+    assert!(x.is_steady(), "no error, nothing moves");
+    x.update(&at(1.0, 0.0));
+    x.update(&at(1.0, 0.0));
+    assert!(!x.is_steady(), "the integral grows");
+    for _ in 0..6000 {
+        x.update(&at(1.0, 0.0));
+    }
+    assert!(x.is_steady(), "it has met its limit");
+    x.set_gains(ServoGains { derivative_width: 0.002, ..gains }).unwrap();
+    assert!(!x.is_steady(), "gains have changed");
+    for _ in 0..20 {
+        x.update(&at(1.0, 0.0));
+        assert!(!x.is_steady(), "when the change is sampled next depends on the period");
+    }
+    let mut y = servo(ServoGains { integral_delay: 0.01, ..gains });
+    for period in 1..40 {
+        y.update(&at(0.0, 0.0));
+        assert_eq!(y.is_steady(), period > 20, "the integral does not grow before: {period}");
+    }
+}
+
+#[test]
+fn what_is_held_does_not_move() {
+    let drive = Drive { volts: 3.0, setpoint: 40.0, enabled: true };
+    let mut motor = Plant::Motor(Motor::new(model()).unwrap());
+    (0..100).for_each(|_| motor.advance(&drive, PERIOD));
+    let there = motor.counted();
+    motor.jam(&drive);
+    motor.advance(&Drive::default(), PERIOD);
+    assert!(there > 0.0 && motor.counted() == there, "it stands");
+    let mut stepper = Plant::Stepper(Stepper::new(0.0).unwrap());
+    stepper.jam(&drive);
+    stepper.advance(&Drive { setpoint: 45.0, ..drive }, PERIOD);
+    assert_eq!(stepper.counted(), 5.0, "40 steps were lost");
+    stepper.match_setpoint(5.0);
+    stepper.advance(&Drive { setpoint: 5.0, ..drive }, PERIOD);
+    assert_eq!(stepper.counted(), 5.0, "no step to get there");
+}
+
+#[test]
 fn impossible_values_are_refused() {
     assert!(Servo::new(0.0).is_err());
     let mut x = Servo::new(PERIOD).unwrap();

@@ -69,7 +69,7 @@ pub struct ServoOutput {
 }
 
 /// What a loop keeps from one period to the next.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Memory {
     inputs: ServoInputs,
     setpoint_velocity: f64,
@@ -92,6 +92,7 @@ pub struct Servo {
     low_pass: Option<Biquad>,
     /// `None` until the first period after a reset.
     memory: Option<Memory>,
+    steady: bool,
 }
 
 impl Servo {
@@ -100,7 +101,18 @@ impl Servo {
         if not_negative(Quantity::Time, period)? == 0.0 {
             return Err(InvalidValue { quantity: Quantity::Time, value: period });
         }
-        Ok(Self { gains: ServoGains::default(), period, notch: None, low_pass: None, memory: None })
+        Ok(Self { gains: ServoGains::default(), period, notch: None, low_pass: None, memory: None, steady: false })
+    }
+
+    /// The servo period, s.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// Whether the last period has left the loop as it was: as long as its inputs and its gains stay the same, so does its
+    /// output, however many periods pass.
+    pub fn is_steady(&self) -> bool {
+        self.steady
     }
 
     /// The gains in force.
@@ -118,12 +130,14 @@ impl Servo {
             self.low_pass = Biquad::low_pass(gains.low_pass, self.period);
         }
         self.gains = gains;
+        self.steady = false;
         Ok(())
     }
 
     /// Forgets the past: for a drive that is enabled, or after positions were preset.
     pub fn reset(&mut self) {
         self.memory = None;
+        self.steady = false;
         for filter in [&mut self.notch, &mut self.low_pass].into_iter().flatten() {
             filter.reset();
         }
@@ -132,6 +146,7 @@ impl Servo {
     /// Computes the output of one period.
     pub fn update(&mut self, inputs: &ServoInputs) -> ServoOutput {
         let error = inputs.setpoint - inputs.actual;
+        let before = (self.memory, self.notch, self.low_pass);
         let mut memory = self.memory.unwrap_or(Memory { inputs: *inputs, sampled: error, ..Memory::default() });
         let velocity = (inputs.setpoint - memory.inputs.setpoint) / self.period;
         let acceleration = (velocity - memory.setpoint_velocity) / self.period;
@@ -163,15 +178,25 @@ impl Servo {
         }
         output.volts = gains.torque_limit.clamp(volts);
         output.limited = output.volts != volts;
-        self.memory = Some(Memory { inputs: *inputs, setpoint_velocity: velocity, ..memory });
+        let memory = Memory { inputs: *inputs, setpoint_velocity: velocity, ..memory };
+        self.memory = Some(memory);
+        // The count of periods at rest alone does not matter once the integral may grow.
+        let counted = |before: Memory| Memory { still: memory.still, ..before };
+        self.steady = grows(gains, &memory, self.period)
+            && (before.0.map(counted), before.1, before.2) == (self.memory, self.notch, self.low_pass);
         output
     }
 }
 
+/// Whether the integral may grow.
+fn grows(gains: &ServoGains, memory: &Memory, period: f64) -> bool {
+    // Half a period keeps a delay that is a whole number of them from being missed by rounding, here and below.
+    gains.integral_delay == 0.0 || (f64::from(memory.still) - 0.5) * period > gains.integral_delay
+}
+
 fn integral(gains: &ServoGains, memory: &mut Memory, moving: bool, error: f64, period: f64) -> f64 {
     memory.still = if moving { 0 } else { memory.still.saturating_add(1) };
-    // Half a period keeps a delay that is a whole number of them from being missed by rounding, here and below.
-    if gains.integral_delay == 0.0 || (f64::from(memory.still) - 0.5) * period > gains.integral_delay {
+    if grows(gains, memory, period) {
         let grown = memory.integral + gains.integral * error * period;
         memory.integral = grown.clamp(-gains.integral_limit, gains.integral_limit);
     }

@@ -71,6 +71,16 @@ impl Motor {
         self.model.encoder.count(self.angle)
     }
 
+    /// Stops the shaft where it is, by something that holds it from outside.
+    pub fn halt(&mut self) {
+        self.velocity = 0.0;
+    }
+
+    /// Puts another encoder on the shaft, or sets its multiplier.
+    pub fn set_encoder(&mut self, encoder: Encoder) {
+        self.model.encoder = encoder;
+    }
+
     /// Turns the shaft by hand: the position jumps, the velocity stays.
     pub fn displace(&mut self, turns: f64) {
         self.angle += turns;

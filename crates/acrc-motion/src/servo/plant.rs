@@ -50,6 +50,23 @@ impl Plant {
         }
     }
 
+    /// Lets a period pass in which something from outside holds the machine.
+    pub fn jam(&mut self, drive: &Drive) {
+        match self {
+            Self::Ideal { .. } => {}
+            Self::Motor(motor) => motor.halt(),
+            // The steps that it is told are lost.
+            Self::Stepper(stepper) => stepper.commanded = whole(drive.setpoint),
+        }
+    }
+
+    /// Takes a setpoint for the place where the machine is, as REN does: a stepper makes no steps to get there.
+    pub fn match_setpoint(&mut self, setpoint: f64) {
+        if let Self::Stepper(stepper) = self {
+            stepper.commanded = whole(setpoint);
+        }
+    }
+
     /// What the feedback device has counted, pulses.
     pub fn counted(&self) -> f64 {
         match self {
@@ -76,13 +93,18 @@ impl Stepper {
     }
 
     fn advance(&mut self, setpoint: f64, enabled: bool, seconds: f64) {
-        let whole = (setpoint + if setpoint < 0.0 { -0.5 } else { 0.5 }) as i64 as f64;
-        let steps = whole - self.commanded;
-        self.commanded = whole;
+        let commanded = whole(setpoint);
+        let steps = commanded - self.commanded;
+        self.commanded = commanded;
         if !enabled {
             return;
         }
         let most = (self.greatest_rate * seconds) as i64 as f64;
         self.position += if self.greatest_rate == 0.0 { steps } else { steps.clamp(-most, most) };
     }
+}
+
+/// The whole steps of a setpoint.
+fn whole(setpoint: f64) -> f64 {
+    (setpoint + if setpoint < 0.0 { -0.5 } else { 0.5 }) as i64 as f64
 }
