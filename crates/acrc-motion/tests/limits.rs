@@ -108,6 +108,8 @@ fn a_marker_is_captured_once_and_becomes_zero() {
     assert!(!capture.see(mode, 4.0));
     assert_eq!(seek.update(&mut capture, true), SeekStep::StopMove);
     assert_eq!(seek.update(&mut capture, true), SeekStep::Wait);
+    assert_eq!(seek.update(&mut capture, false), SeekStep::ReturnTo(3.0));
+    assert_eq!(seek.update(&mut capture, true), SeekStep::Wait);
     assert_eq!(seek.update(&mut capture, false), SeekStep::ZeroAt(3.0));
     assert!(seek.is_over() && seek.update(&mut capture, false) == SeekStep::Wait);
     assert_eq!(capture.captured(), Some(3.0));

@@ -77,6 +77,8 @@ pub enum SeekStep {
     Wait,
     /// The marker was found: let the move ramp down.
     StopMove,
+    /// The move has ended behind the marker: go back to this position.
+    ReturnTo(f64),
     /// The axis stands: make this position zero.
     ZeroAt(f64),
     /// The move has ended without the marker.
@@ -87,6 +89,7 @@ pub enum SeekStep {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MarkerSeek {
     stopping: bool,
+    returning: bool,
     over: bool,
 }
 
@@ -107,10 +110,14 @@ impl MarkerSeek {
             return SeekStep::Wait;
         }
         match (capture.captured(), in_motion) {
-            (Some(_), true) if self.stopping => SeekStep::Wait,
+            (Some(_), true) if self.stopping || self.returning => SeekStep::Wait,
             (Some(_), true) => {
                 self.stopping = true;
                 SeekStep::StopMove
+            }
+            (Some(position), false) if !self.returning => {
+                self.returning = true;
+                SeekStep::ReturnTo(position)
             }
             (Some(position), false) => {
                 self.over = true;

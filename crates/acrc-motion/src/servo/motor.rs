@@ -66,6 +66,11 @@ impl Motor {
         self.velocity
     }
 
+    /// Its encoder.
+    pub fn encoder(&self) -> &Encoder {
+        &self.model.encoder
+    }
+
     /// What its encoder has counted, pulses.
     pub fn counted(&self) -> f64 {
         self.model.encoder.count(self.angle)
