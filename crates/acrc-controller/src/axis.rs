@@ -5,6 +5,7 @@
 
 use acrc_motion::axis::{AxisProfilers, GantryLock, SourceCounts, TravelLimits};
 
+use crate::mechanics::CaptureState;
 use crate::motion::{Followers, Table};
 
 /// State of one axis.
@@ -42,6 +43,8 @@ pub(crate) struct Axis {
     pub(crate) lock: Option<Lock>,
     /// The inputs of its limits: positive, negative, home (`HLBIT`).
     pub(crate) switches: [Option<u32>; 3],
+    /// What captures its position.
+    pub(crate) capture: CaptureState,
     /// What a run reports of it.
     pub(crate) statistics: AxisStatistics,
 }
@@ -92,6 +95,7 @@ impl Axis {
             ballscrew_table: Table::default(),
             lock: None,
             switches: [None; 3],
+            capture: CaptureState::default(),
             statistics: AxisStatistics::default(),
         }
     }

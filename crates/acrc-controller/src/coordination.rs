@@ -34,6 +34,8 @@ impl Condition {
 pub(crate) struct Redirection {
     pub(crate) axis: u8,
     pub(crate) slot: usize,
+    /// What captures.
+    pub(crate) mode: u8,
     /// How far behind the captured position the move ends.
     pub(crate) width: f64,
     /// Where a capture counts.
@@ -59,7 +61,8 @@ impl Machine {
             master.profiler.open_gate();
         }
         let Some(code) = master.profiler.interruptible() else { return };
-        let happened = Condition::of(code).holds(&self.flags);
+        let happened = if self.seeks(index) { self.has_sought(index) } else { Condition::of(code).holds(&self.flags) };
+        let master = &mut self.masters[index];
         match master.ahead.redirection {
             Some(redirection) => self.redirect(index, &redirection, happened),
             None if happened => master.profiler.interrupt(),
@@ -80,7 +83,7 @@ impl Machine {
             let (low, high) = to.window;
             if !(low..=high).contains(&position) {
                 // Armed again: what was outside of the window is as if it had not been.
-                self.flags.set_law(law::CAPTURE_COMPLETE, axis, false);
+                self.arm_capture(to.axis, to.mode, to.axis);
                 return;
             }
             if let Err(error) = profiler.redirect(to.slot, position + to.width) {

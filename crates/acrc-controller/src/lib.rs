@@ -18,6 +18,7 @@ mod footprint;
 mod host;
 mod machine;
 mod master;
+mod mechanics;
 mod memory;
 mod motion;
 mod network;
@@ -37,6 +38,7 @@ pub mod time;
 mod watch;
 pub mod world;
 
+pub use acrc_motion::axis::BacklashRule;
 pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
 pub use controller::{Controller, Observer, Options, Sent, Standing, Stopped, Unsupported, View};

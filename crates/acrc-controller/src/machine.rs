@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use acrc_catalog::{Model, law};
 use acrc_image::AxisName;
+use acrc_motion::axis::BacklashRule;
 use acrc_motion::{HoldState, Master as Profiler, Phase};
 use acrc_syntax::units::Level;
 use acrc_vm::Text;
@@ -13,6 +14,7 @@ use crate::axis::{Axis, SlaveSlot};
 use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
+use crate::mechanics::Mechanics;
 use crate::memory::SystemMemory;
 use crate::motion::{Arrays, AxisMotion, NoArrays};
 use crate::network::Network;
@@ -57,6 +59,8 @@ pub(crate) struct Machine {
     pub(crate) terminal: Terminal,
     /// What the axes do by themselves.
     pub(crate) motion: AxisMotion,
+    /// What they drive.
+    pub(crate) mechanics: Mechanics,
     /// The texts of `IP`: address, mask and gateway.
     pub(crate) network: Network,
     /// What protects the programs from `LIST` (`PASSWORD`).
@@ -69,6 +73,8 @@ pub(crate) struct Machine {
     pub(crate) notes: BTreeSet<String>,
     pub(crate) random: u64,
     pub(crate) world: World,
+    /// When backlash compensation is added.
+    pub(crate) backlash: BacklashRule,
     /// Which scripted event comes next.
     pub(crate) next_event: usize,
 }
@@ -91,6 +97,7 @@ impl Machine {
             level: Level::System,
             terminal: Terminal::default(),
             motion: AxisMotion::new(),
+            mechanics: Mechanics::new(&world, model.axes, model.servo_period),
             network: Network::of(model),
             password: None,
             config: None,
@@ -99,13 +106,16 @@ impl Machine {
             notes: BTreeSet::new(),
             random: seed,
             world,
+            backlash: BacklashRule::default(),
             next_event: 0,
         };
         for axis in 0..u32::from(model.axes) {
-            // An ideal machine has no following error, so every axis stays inside its error band.
+            // There is no following error before anything moves.
             machine.flags.set_law(law::NOT_EXCESS_ERROR, axis, true);
         }
         machine.set_defaults();
+        machine.note_missing_axes();
+        machine.sense_all();
         machine
     }
 
@@ -117,18 +127,31 @@ impl Machine {
     /// Applies the events that are due at the present tick.
     pub(crate) fn apply_events(&mut self) {
         while self.next_event_tick().is_some_and(|tick| tick <= self.clock.ticks()) {
-            let event = self.world.events()[self.next_event].clone();
-            for bit in &event.set {
-                self.flags.set(*bit, true);
-            }
-            for bit in &event.clear {
-                self.flags.set(*bit, false);
+            let world = std::mem::take(&mut self.world);
+            let event = &world.events()[self.next_event];
+            for (bits, state) in [(&event.set, true), (&event.clear, false)] {
+                for bit in bits {
+                    self.set_from_outside(*bit, state);
+                }
             }
             for (number, value) in &event.parameters {
                 self.script_parameter(*number, *value);
             }
+            for happening in &event.happenings {
+                self.happen(*happening);
+            }
+            self.world = world;
             self.motion.wake();
             self.next_event += 1;
+        }
+    }
+
+    /// Notes what the world says of axes that the model lacks.
+    fn note_missing_axes(&mut self) {
+        let (model, axes) = (self.model.name, self.model.axes);
+        for axis in self.world.concerned_axes().filter(|axis| *axis >= axes) {
+            let last = axes.saturating_sub(1);
+            self.notes.insert(format!("the world describes axis {axis}: the {model} has axis 0 to {last}"));
         }
     }
 
@@ -151,11 +174,14 @@ impl Machine {
     pub(crate) fn in_motion(&self) -> bool {
         self.masters.iter().any(|master| master.profiler.in_motion())
             || self.motion.is_awake() && self.axes.iter().any(Axis::moves)
+            || self.mechanics.moves()
     }
 
     /// Whether the next tick may change something: something moves, or axes look at what has just happened.
     pub(crate) fn is_busy(&self) -> bool {
-        self.motion.is_awake() || self.masters.iter().any(|master| master.profiler.in_motion())
+        self.motion.is_awake()
+            || self.mechanics.is_busy()
+            || self.masters.iter().any(|master| master.profiler.in_motion())
     }
 
     /// Moves time on by one tick: scripted events, then the profilers, then the flags that follow from them.
@@ -172,6 +198,7 @@ impl Machine {
         }
         self.start_groups();
         self.advance_axes(self.clock.period(), arrays);
+        self.end_seeks();
     }
 
     /// Takes note of what ended moves have left behind.
@@ -339,6 +366,13 @@ impl Machine {
 
     /// Drive enable of an axis.
     pub(crate) fn set_drive(&mut self, axis: u8, enabled: bool) {
+        if enabled && !self.is_motion_enabled() {
+            self.notes.insert(format!(
+                "the drive of axis {axis} was not enabled: the motion enable input is open or latched (BIT5646, BIT5645)"
+            ));
+            return;
+        }
+        self.motion.wake();
         self.flags.set_law(law::DRIVE_ENABLE, u32::from(axis), enabled);
         self.flags.set_law(law::DRIVE_ENABLED_STATUS, u32::from(axis), enabled);
         self.axes[usize::from(axis)].was_enabled |= enabled;

@@ -4,6 +4,7 @@ use acrc_motion::{Lookahead, Master as Profiler, Move, MoveSettings, SettingErro
 
 use crate::command::{CUBIC, Curve, Kinematics, TimeBase};
 use crate::coordination::{Condition, Redirection};
+use crate::mechanics::Seek;
 
 use crate::command::UNBUFFERED;
 
@@ -69,6 +70,8 @@ pub(crate) struct Ahead {
     pub(crate) curve: Option<Box<Curve>>,
     /// What redirects the last move (`HSINT`).
     pub(crate) redirection: Option<Redirection>,
+    /// The search for marks that the move under way makes (`MSEEK`).
+    pub(crate) seek: Option<Seek>,
     /// The axes whose moves make arcs in pairs (`TARC ON`).
     pub(crate) arc: Option<OpenArc>,
 }
@@ -86,6 +89,7 @@ impl Ahead {
         self.gate = None;
         self.curve = None;
         self.redirection = None;
+        self.seek = None;
         if let Some(arc) = &mut self.arc {
             arc.via = None;
         }

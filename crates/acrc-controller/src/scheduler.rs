@@ -5,6 +5,8 @@
 
 /// Programs with a slice of their own.
 pub(crate) const HIGH_PROGRAMS: usize = 8;
+/// Programs that the largest controllers have.
+pub(crate) const PROGRAMS: usize = 16;
 /// Slot of the communication task.
 const COMMUNICATION: usize = HIGH_PROGRAMS;
 /// Slot that the low programs share.

@@ -25,6 +25,7 @@ fn attach_axis(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     let axis = context.axis(index)?;
     let signals: Vec<String> = call.arguments.iter().skip(1).filter_map(hardware_word).collect();
     context.machine.axes[usize::from(axis)].signals = Some(signals.join(" "));
+    context.machine.motion.touch();
     Ok(Outcome::Done)
 }
 

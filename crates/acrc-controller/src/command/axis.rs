@@ -26,7 +26,7 @@ fn drive_report(context: &mut Context, call: &Call) -> Result<Outcome, Controlle
     Ok(Outcome::Done)
 }
 
-/// `DRIVE ON` also clears Kill All Moves of the master when the drive was off.
+/// `DRIVE ON` also clears Kill All Moves of the master when the drive was off, and the faults of the axis.
 fn drive_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     for argument in context.resting_axes(call)? {
         let axis = argument.axis;
@@ -38,6 +38,9 @@ fn drive_on(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErr
             }
         }
         machine.update_kills();
+        for law in [law::DRIVE_FAULT_LATCHED, law::EXC_FAULT_LATCHED] {
+            machine.flags.set_law(law, u32::from(axis), false);
+        }
         machine.set_drive(axis, true);
     }
     Ok(Outcome::Done)
@@ -102,6 +105,7 @@ fn reset_encoder(context: &mut Context, call: &Call) -> Result<Outcome, Controll
     let preload = scalar(call)?.unwrap_or(0.0) as i32;
     if let Ok(axis) = context.axis(i64::from(index)) {
         context.machine.set_encoder(axis, preload);
+        context.machine.reset_encoder_faults(axis);
     }
     Ok(Outcome::Done)
 }

@@ -29,6 +29,8 @@ impl Context<'_> {
             master.profiler.set_queue_capacity(depth as usize);
             master.places = depth;
         }
-        master.profiler.can_accept() && master.profiler.waiting() < depth as usize
+        let room = master.profiler.can_accept() && master.profiler.waiting() < depth as usize;
+        // A search for marks ends with what other moves count from.
+        room && master.ahead.seek.is_none()
     }
 }

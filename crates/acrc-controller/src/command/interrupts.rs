@@ -4,6 +4,7 @@
 use acrc_catalog::{ObjectKind, command, law};
 use acrc_vm::{Arg, Call, Outcome};
 
+use super::captures::mode;
 use super::moves::refused;
 use super::{Action, Context, Entry};
 use crate::coordination::{Condition, Redirection};
@@ -37,7 +38,7 @@ fn interruptible(context: &mut Context, call: &Call) -> Result<Outcome, Controll
         return Err(ControllerError::Expected { command: call.command.info().name, expected: "a flag and a move" });
     };
     let condition = condition(call, flag)?;
-    if !context.machine.masters[master].profiler.can_accept() {
+    if !context.takes_move(master) {
         return Ok(Outcome::Again);
     }
     let next = context.statement(call, moves)?.interruptible(condition.code());
@@ -60,27 +61,29 @@ fn new_trajectory(context: &mut Context, call: &Call) -> Result<Outcome, Control
 fn redirected(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     let master = context.movable(call)?;
-    if !context.machine.masters[master].profiler.can_accept() {
+    if !context.takes_move(master) {
         return Ok(Outcome::Again);
     }
     let [argument] = &context.axes(call)?[..] else {
         return Err(ControllerError::Expected { command, expected: "one axis" });
     };
     let values = argument.value.numbers(command)?;
-    let [_mode, target, width, ref rest @ ..] = values[..] else {
+    let [number, target, width, ref rest @ ..] = values[..] else {
         return Err(ControllerError::Expected { command, expected: "mode, target and width at least" });
     };
     let slot = context.slot(call, master, argument.axis)?;
     let from = context.machine.masters[master].profiler.target(slot);
+    let mode = mode(command, number)?;
     let abort = rest.get(3).map(|flag| flag_state(*flag)).transpose()?;
-    let redirection = Redirection { axis: argument.axis, slot, width, window: window(from, target, rest), abort };
+    let redirection = Redirection { axis: argument.axis, slot, mode, width, window: window(from, target, rest), abort };
     let axis = u32::from(argument.axis);
     let captured = Condition { flag: law::CAPTURE_COMPLETE.at(axis), state: true };
     let mut next = context.statement(call, &[])?.interruptible(captured.code());
     next.targets[slot] = Some(acrc_motion::Target::Absolute(target));
-    for flag in [law::CAPTURE_COMPLETE, law::HSINT_REGISTERED, law::HSINT_ABORTED] {
+    for flag in [law::HSINT_REGISTERED, law::HSINT_ABORTED] {
         context.machine.flags.set_law(flag, axis, false);
     }
+    context.machine.arm_capture(argument.axis, mode, argument.axis);
     context.machine.masters[master].ahead.redirection = Some(redirection);
     context.queue(call, master, &next)
 }

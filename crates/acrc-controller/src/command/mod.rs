@@ -7,6 +7,7 @@ mod arguments;
 mod attach;
 mod axis;
 mod buffer;
+mod captures;
 mod channel;
 mod curves;
 mod follow;
@@ -99,6 +100,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         attach::COMMANDS,
         axis::COMMANDS,
         buffer::COMMANDS,
+        captures::COMMANDS,
         channel::COMMANDS,
         curves::COMMANDS,
         follow::COMMANDS,

@@ -21,6 +21,7 @@ use std::sync::Arc;
 
 use acrc_catalog::Model;
 use acrc_image::{Image, UnitName};
+use acrc_motion::axis::BacklashRule;
 use acrc_vm::{AngleUnit, Code, Frame, LoadOptions, Locals};
 
 pub(crate) use ahead::Pace;
@@ -54,6 +55,8 @@ pub struct Options {
     pub plcs: Vec<u8>,
     /// Seconds from one scan of the PLC programs to the next; `None` for a slice.
     pub plc_scan: Option<f64>,
+    /// When backlash compensation is added.
+    pub backlash: BacklashRule,
 }
 
 /// A controller with an image.
@@ -109,6 +112,7 @@ impl Controller {
         let load = LoadOptions { angle: options.angles };
         let code = Code::load_with(&image.boot, &image.aliases, load)?;
         let mut machine = Machine::new(model, options.world, options.seed);
+        machine.backlash = options.backlash;
         machine.apply_events();
         Ok(Self {
             programs: (0..model.programs).map(|_| Program::new()).collect(),

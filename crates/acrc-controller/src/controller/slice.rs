@@ -8,6 +8,7 @@ use crate::command::{Context, deliver};
 use crate::footprint::Footprint;
 use crate::program::{Mode, Program, State};
 use crate::request::Origin;
+use crate::scheduler::PROGRAMS;
 use crate::task::Task;
 use crate::watch::Lap;
 
@@ -23,8 +24,8 @@ pub(super) struct Done {
 
 impl Controller {
     /// Which programs take slices.
-    pub(super) fn active(&self) -> Vec<bool> {
-        self.programs.iter().map(Program::is_active).collect()
+    pub(super) fn active(&self) -> [bool; PROGRAMS] {
+        std::array::from_fn(|number| self.programs.get(number).is_some_and(Program::is_active))
     }
 
     /// All programs and PLC programs that the model has.

@@ -3,6 +3,7 @@
 use acrc_catalog::{Law, law};
 
 use crate::machine::Machine;
+use crate::mechanics::Mechanism;
 
 impl Machine {
     /// Brings the jog and limit flags of an axis in line with its profilers.
@@ -31,9 +32,10 @@ impl Machine {
         self.update_in_position(axis);
     }
 
-    /// An axis is in position when its coordinated move and its jog have come to their ends.
+    /// An axis is in position when its coordinated move and its jog have come to their ends, and its following error is within the band of `IPB`.
     pub(crate) fn update_in_position(&mut self, axis: u8) {
-        let arrived = self.position(axis) == self.target(axis);
+        let arrived =
+            self.position(axis) == self.target(axis) && self.mechanics.of(axis).is_none_or(Mechanism::in_position);
         let jogs = self.axes[usize::from(axis)].profilers.jog.active();
         self.flags.set_law(law::NOT_IN_POSITION, u32::from(axis), !arrived || jogs);
     }

@@ -83,8 +83,10 @@ impl Machine {
         if found && self.preload(axis, Preload::All(0.0)).is_err() {
             // Its master moves other axes: the coordinated position is theirs, so the jog offset makes up for it.
             let coordinated = self.position(axis);
+            let actual = self.registers_of(axis).actual;
             let preloaded = self.axes[usize::from(axis)].profilers.jog.preload(0.0 - coordinated);
             debug_assert!(preloaded.is_ok(), "homing ends at rest");
+            self.rename_actual(axis, actual, 0.0, 0.0);
         }
     }
 }

@@ -22,10 +22,19 @@ impl Machine {
         for (axes, software) in [(actions.stop_axes, false), (actions.soft_stop_axes, true)] {
             for axis in members(axes) {
                 self.stop_axis(axis, software);
+                self.disable_killed(axis as u8, software);
             }
         }
         for master in members(actions.kill_masters) {
             self.order(master, Order::Kill);
+        }
+    }
+
+    /// Switches the drive of a killed axis off, where it is set up for that.
+    fn disable_killed(&mut self, axis: u8, software: bool) {
+        let set = |law: Law| self.flags.get(law.at(u32::from(axis)));
+        if !software && set(law::DISABLE_DRIVE_ON_KILL) && set(law::DRIVE_ENABLE) {
+            self.set_drive(axis, false);
         }
     }
 

@@ -20,6 +20,7 @@ mod tick;
 pub(crate) use cam::{Table, TableKind};
 pub(crate) use jog::JogOrder;
 pub(crate) use registers::Preload;
+pub(crate) use settings::refused;
 pub(crate) use sources::{Feed, Follower, Followers};
 pub(crate) use tables::{ArrayPlace, Arrays, NoArrays};
 

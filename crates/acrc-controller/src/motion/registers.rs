@@ -6,6 +6,7 @@ use acrc_motion::axis::Registers;
 use crate::axis::SlaveSlot;
 use crate::error::ControllerError;
 use crate::machine::Machine;
+use crate::mechanics::Mechanism;
 
 /// A command that gives position registers of an axis other values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +54,8 @@ impl Machine {
             let leader = self.registers_of(lock.leader).primary_setpoint();
             setpoints = lock.gantry.released(leader, &setpoints);
         }
-        Registers { actual: setpoints.secondary_setpoint(), ..setpoints }
+        let actual = self.mechanics.of(axis).and_then(Mechanism::actual).map(|pulses| state.units(pulses));
+        Registers { actual: actual.unwrap_or_else(|| setpoints.secondary_setpoint()), ..setpoints }
     }
 
     /// Gives position registers of an axis other values. Refused while it moves, or waits for a jog velocity.
@@ -83,9 +85,18 @@ impl Machine {
         self.set_registers(axis, &before, &after)
     }
 
-    fn set_registers(&mut self, axis: u8, before: &Registers, after: &Registers) -> Result<(), ControllerError> {
+    /// Makes the registers of an axis others.
+    pub(crate) fn set_registers(
+        &mut self,
+        axis: u8,
+        before: &Registers,
+        after: &Registers,
+    ) -> Result<(), ControllerError> {
         let refused = |error: &dyn std::fmt::Display| ControllerError::Move(error.to_string());
         self.set_coordinated(axis, after.coordinated)?;
+        if after.actual != before.actual || after.following_error() == 0.0 {
+            self.rename_actual(axis, before.actual, after.actual, after.secondary_setpoint());
+        }
         let profilers = &mut self.axes[usize::from(axis)].profilers;
         if after.jog != before.jog {
             profilers.jog.preload(after.jog).map_err(|error| refused(&error))?;

@@ -14,7 +14,7 @@ impl Machine {
         self.motion.switch_words = 0;
         for axis in 0..self.model.axes {
             // A value that a profiler does not take leaves it with what it has.
-            let refreshed = [self.refresh_axis(axis), self.refresh_followers(axis)];
+            let refreshed = [self.refresh_axis(axis), self.refresh_followers(axis), self.refresh_mechanism(axis)];
             for error in refreshed.into_iter().filter_map(Result::err) {
                 self.notes.insert(format!("AXIS{axis}: {error}; the value before stays in force"));
             }
@@ -63,9 +63,10 @@ impl Machine {
             cam(command::BSC_SCALE, command::BSC_OFFSET, command::BSC_FLZ),
         );
         let backlash = value(command::BKL);
+        let rule = self.backlash;
         let profilers = &mut self.axes[usize::from(axis)].profilers;
         let cycles = profilers.cam.settings().cycles;
-        profilers.backlash.value = backlash;
+        (profilers.backlash.value, profilers.backlash.rule) = (backlash, rule);
         profilers.gear.set_settings(gear).map_err(refused)?;
         profilers.hand_wheel.set_settings(wheel, 1.0 / gear.pulses_per_unit).map_err(refused)?;
         profilers.cam.set_settings(CamSettings { cycles, ..cams.0 }).map_err(refused)?;
@@ -120,12 +121,12 @@ impl Machine {
     }
 
     /// The first value of a setting; 0 if it is none.
-    pub(super) fn axis_setting(&self, command: CommandId, axis: u8) -> f64 {
+    pub(crate) fn axis_setting(&self, command: CommandId, axis: u8) -> f64 {
         self.axis_settings(command, axis).next().unwrap_or(0.0)
     }
 
     /// The two ends that a setting gives, the upper one first.
-    fn axis_window(&self, command: CommandId, axis: u8) -> Window {
+    pub(crate) fn axis_window(&self, command: CommandId, axis: u8) -> Window {
         let mut ends = self.axis_settings(command, axis);
         Window { positive: ends.next().unwrap_or(0.0), negative: ends.next().unwrap_or(0.0) }
     }
@@ -153,6 +154,6 @@ impl Machine {
     }
 }
 
-pub(super) fn refused(error: acrc_motion::InvalidValue) -> ControllerError {
+pub(crate) fn refused(error: acrc_motion::InvalidValue) -> ControllerError {
     ControllerError::Move(error.to_string())
 }

@@ -67,12 +67,16 @@ impl Machine {
             self.refresh_axes();
         }
         let awake = std::mem::take(&mut self.motion.awake);
+        let mut active = 0_u32;
         for axis in 0..self.model.axes {
-            let state = &self.axes[usize::from(axis)];
-            let active = state.works();
-            if active {
+            if self.axes[usize::from(axis)].works() {
+                active |= 1 << axis;
                 self.advance_axis(axis, dt, arrays);
             }
+        }
+        self.advance_mechanics(dt);
+        for axis in 0..self.model.axes {
+            let active = active >> axis & 1 == 1;
             let state = &self.axes[usize::from(axis)];
             if awake || active || state.is_guarded() && self.axis_in_motion(axis) {
                 self.watch_axis(axis);

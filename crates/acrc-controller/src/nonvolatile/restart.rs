@@ -21,6 +21,9 @@ impl Machine {
         self.streams.restart();
         self.notes = before.notes;
         self.world = before.world;
+        self.backlash = before.backlash;
+        self.mechanics = before.mechanics;
+        self.mechanics.restart();
         self.next_event = before.next_event;
         let inputs = (0..INPUTS).chain(self.world.driven_inputs());
         for input in inputs.filter(|input| before.flags.get(*input)) {

@@ -38,10 +38,6 @@ impl Machine {
                 self.flags.set(number, state);
                 self.note_undocumented(format_args!("BIT{number}"));
             }
-            Effect::NotSimulated => {
-                self.flags.set(number, state);
-                self.note_effect(number, state);
-            }
             // Requests clear themselves; so does Stop All Moves, when the master has stopped.
             Effect::Request => self.note_effect(number, state),
             Effect::Master(Order::Kill) if !state => {

@@ -65,8 +65,6 @@ pub(crate) enum Effect {
     None,
     /// Programs cannot write it.
     ReadOnly,
-    /// It keeps its state; what it does on the controller is no part of the dry run.
-    NotSimulated,
     /// It clears itself; what it asks for is no part of the dry run.
     Request,
     /// An order to a master.
@@ -93,9 +91,7 @@ impl Effect {
     /// Whether giving a flag the state that it has does nothing.
     pub(super) fn is_idle(self, state: bool) -> bool {
         match self {
-            Self::Undocumented | Self::None | Self::ReadOnly | Self::NotSimulated | Self::Request | Self::Jog(_) => {
-                true
-            }
+            Self::Undocumented | Self::None | Self::ReadOnly | Self::Request | Self::Jog(_) => true,
             Self::PauseProgram | Self::EnableDrive | Self::AxisSetting => false,
             Self::Master(_)
             | Self::RunProgram
@@ -249,7 +245,7 @@ const EFFECTS: [(Law, Effect); 26] = [
     (law::HOME_INVERT, Effect::AxisSetting),
     (law::POS_LIMIT_HIT, Effect::AxisSetting),
     (law::NEG_LIMIT_HIT, Effect::AxisSetting),
-    (law::EXC_RESPONSE_ENABLE, Effect::NotSimulated),
+    (law::EXC_RESPONSE_ENABLE, Effect::AxisSetting),
 ];
 
 /// Whether a row of the catalogue is certain enough to refuse a write, or to take a set flag away again.

@@ -70,7 +70,8 @@ impl Machine {
         if entry.kind == Kind::Undocumented {
             self.note_undocumented(format_args!("P{number}"));
         }
-        let before = (entry.owner == Owner::Axis).then(|| self.registers.get(index, entry.form));
+        let acts = entry.owner == Owner::Axis || Self::scales_output(index);
+        let before = acts.then(|| self.registers.get(index, entry.form));
         if self.registers.set(index, entry.form, value) {
             if before.is_some_and(|before| before != self.registers.get(index, entry.form)) {
                 self.motion.touch();

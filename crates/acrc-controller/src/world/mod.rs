@@ -1,5 +1,5 @@
-//! The machine around the controller, as far as a dry run needs one: named inputs, and a timeline of what happens to them and to parameters that are
-//! measured or written by a host.
+//! The machine around the controller, as far as a dry run needs one: named inputs, the mechanics of the axes, and a timeline of what happens to them
+//! and to parameters that are measured or written by a host.
 //!
 //! Described by a `world.toml`:
 //!
@@ -19,132 +19,44 @@
 //! at = "4s"
 //! stream = "COM1"             # or PROG0: at the terminal that listens to program 0
 //! text = "12\n"               # typed there; the end of a line is the Enter key
+//!
+//! [axis.0]
+//! plant = { kind = "motor", inertia = 2e-5, torque_constant = 0.157, lines = 4000 }
+//! switches = [{ input = 2, from = 0.0, to = 2.0 }, { input = 0, above = 100.0 }]
+//! marker = { every = 10.0, at = 2.5 }
+//!
+//! [[event]]
+//! at = "7s"
+//! jam = [0]                   # something holds the axis
 //! ```
+//!
+//! `docs/world.md` has all of it.
+
+mod axis;
+mod error;
+mod event;
+
+pub use axis::{AxisWorld, Marker, MotorWorld, PlantWorld, Region, Switch};
+pub use error::WorldError;
+pub use event::{Happening, TypedText, WorldEvent};
 
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use thiserror::Error;
 
-use crate::registers::{is_outside_flag, is_plain_parameter};
-use crate::streams::{Port, as_typed};
-use crate::terminal::StreamError;
-use crate::time::parse_duration;
+use crate::registers::is_outside_flag;
 
 /// Number of onboard inputs (bits 0-31).
 pub(crate) const INPUTS: u32 = 32;
+/// Axes that the largest controllers have.
+const AXES: u8 = 16;
 
-/// A scripted change of inputs and parameters.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WorldEvent {
-    /// Virtual time in seconds.
-    pub at: f64,
-    /// Inputs, and other flags that come from outside, that come on.
-    pub set: Vec<u32>,
-    /// The same that go off.
-    pub clear: Vec<u32>,
-    /// Parameters that get a value: analog inputs, user parameters that a host writes. Programs may be refused to write them.
-    pub parameters: Vec<(u32, f64)>,
-    /// What somebody types.
-    pub typed: Option<TypedText>,
-    /// What it stands for, for people.
-    pub note: Option<String>,
-}
-
-/// Text that somebody types.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TypedText {
-    /// Where.
-    pub port: Port,
-    /// The characters, one byte each.
-    pub text: Vec<u8>,
-}
-
-/// The world of one run: names of inputs and events in order of time.
+/// The world of one run: names of inputs, mechanics of axes, and events in order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct World {
     inputs: BTreeMap<String, u32>,
+    axes: BTreeMap<u8, AxisWorld>,
     events: Vec<WorldEvent>,
-}
-
-/// A `world.toml` that cannot be used.
-#[derive(Debug, Error)]
-pub enum WorldError {
-    /// Not TOML, or a key that is unknown or of the wrong type.
-    #[error(transparent)]
-    Toml(#[from] Box<toml::de::Error>),
-    /// A time that cannot be read.
-    #[error("event {event}: {problem}")]
-    Time {
-        /// Position in the file, from 1.
-        event: usize,
-        /// Why.
-        problem: crate::time::DurationError,
-    },
-    /// A time that no run reaches.
-    #[error("event {event}: a time of {at} seconds is not possible")]
-    Unreachable {
-        /// Position in the file, from 1.
-        event: usize,
-        /// The time.
-        at: f64,
-    },
-    /// A name that `[inputs]` does not give.
-    #[error("event {event}: no input is named `{name}`; `[inputs]` names {known}")]
-    UnknownInput {
-        /// Position in the file, from 1.
-        event: usize,
-        /// The name.
-        name: String,
-        /// The names there are.
-        known: String,
-    },
-    /// A flag that the controller decides.
-    #[error(
-        "{place}: flag {number} does not come from outside: onboard inputs are 0 to 31; networks and hardware have more"
-    )]
-    NotAnInput {
-        /// Where.
-        place: String,
-        /// The number.
-        number: i64,
-    },
-    /// A key of `parameters` that stands for nothing a world can change.
-    #[error("event {event}: `{name}` is no parameter that keeps a value, such as P0 or P6408")]
-    NotAParameter {
-        /// Position in the file, from 1.
-        event: usize,
-        /// The key.
-        name: String,
-    },
-    /// A stream that no controller has.
-    #[error("event {event}: {problem}; PROG0 stands for the terminal that listens to program 0")]
-    UnknownStream {
-        /// Position in the file, from 1.
-        event: usize,
-        /// Why.
-        problem: StreamError,
-    },
-    /// `stream` without `text`, or the other way round.
-    #[error("event {event}: `stream` and `text` belong together: where something is typed, and what")]
-    HalfTyped {
-        /// Position in the file, from 1.
-        event: usize,
-    },
-    /// A character that no controller has.
-    #[error("event {event}: `{character}` cannot be typed at a controller: its characters have one byte")]
-    Character {
-        /// Position in the file, from 1.
-        event: usize,
-        /// The character.
-        character: char,
-    },
-    /// An event with nothing in it.
-    #[error("event {event}: nothing happens in it: give `set`, `clear`, `parameters`, or `stream` and `text`")]
-    Empty {
-        /// Position in the file, from 1.
-        event: usize,
-    },
 }
 
 #[derive(Deserialize)]
@@ -153,29 +65,9 @@ struct WorldFile {
     #[serde(default)]
     inputs: BTreeMap<String, i64>,
     #[serde(default)]
-    event: Vec<EventFile>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EventFile {
-    at: TimeFile,
+    axis: BTreeMap<String, axis::AxisFile>,
     #[serde(default)]
-    set: Vec<InputFile>,
-    #[serde(default)]
-    clear: Vec<InputFile>,
-    #[serde(default)]
-    parameters: BTreeMap<String, f64>,
-    stream: Option<String>,
-    text: Option<String>,
-    note: Option<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged, expecting = "expected a number of seconds or a text such as \"2.5s\"")]
-enum TimeFile {
-    Seconds(f64),
-    Text(String),
+    event: Vec<event::EventFile>,
 }
 
 #[derive(Deserialize)]
@@ -194,18 +86,35 @@ impl World {
             let bit = outside(number, || format!("input `{name}`"))?;
             inputs.insert(name, bit);
         }
+        let mut axes = BTreeMap::new();
+        for (name, described) in file.axis {
+            let axis = name.parse().ok().filter(|axis| *axis < AXES);
+            let axis = axis.ok_or(WorldError::NoSuchAxis { place: "`axis`".to_owned(), axis: name })?;
+            axes.insert(axis, axis::read(axis, described, &inputs)?);
+        }
         let mut events = Vec::with_capacity(file.event.len());
         for (index, event) in file.event.iter().enumerate() {
-            events.push(read_event(index + 1, event, &inputs)?);
+            events.push(event::read(index + 1, event, &inputs)?);
         }
         // Events of the same time keep the order of the file.
         events.sort_by(|left, right| left.at.total_cmp(&right.at));
-        Ok(Self { inputs, events })
+        Ok(Self { inputs, axes, events })
     }
 
     /// The events in order of time.
     pub fn events(&self) -> &[WorldEvent] {
         &self.events
+    }
+
+    /// The mechanics of the axes that are described.
+    pub fn axes(&self) -> impl Iterator<Item = (u8, &AxisWorld)> {
+        self.axes.iter().map(|(axis, world)| (*axis, world))
+    }
+
+    /// Every axis of which something is said.
+    pub(crate) fn concerned_axes(&self) -> impl Iterator<Item = u8> {
+        let happening = self.events.iter().flat_map(|event| &event.happenings).filter_map(Happening::axis);
+        self.axes.keys().copied().chain(happening)
     }
 
     /// The names given to inputs.
@@ -218,10 +127,11 @@ impl World {
         self.inputs().find(|(_, number)| *number == bit).map(|(name, _)| name)
     }
 
-    /// Every input that an event changes, ascending.
+    /// Every input that an event or a switch changes, ascending.
     pub fn driven_inputs(&self) -> Vec<u32> {
-        let mut bits: Vec<u32> =
-            self.events.iter().flat_map(|event| event.set.iter().chain(&event.clear).copied()).collect();
+        let scripted = self.events.iter().flat_map(|event| event.set.iter().chain(&event.clear).copied());
+        let switched = self.axes.values().flat_map(|axis| axis.switches.iter().map(|switch| switch.input));
+        let mut bits: Vec<u32> = scripted.chain(switched).collect();
         bits.sort_unstable();
         bits.dedup();
         bits
@@ -235,54 +145,15 @@ fn outside(number: i64, place: impl FnOnce() -> String) -> Result<u32, WorldErro
     }
 }
 
-fn read_event(event: usize, file: &EventFile, inputs: &BTreeMap<String, u32>) -> Result<WorldEvent, WorldError> {
-    let at = match &file.at {
-        TimeFile::Seconds(seconds) => *seconds,
-        TimeFile::Text(text) => parse_duration(text).map_err(|problem| WorldError::Time { event, problem })?,
-    };
-    if !(at.is_finite() && (0.0..=1e9).contains(&at)) {
-        return Err(WorldError::Unreachable { event, at });
-    }
-    let typed = read_typed(event, file)?;
-    if file.set.is_empty() && file.clear.is_empty() && file.parameters.is_empty() && typed.is_none() {
-        return Err(WorldError::Empty { event });
-    }
-    let resolve = |list: &[InputFile]| {
-        list.iter().map(|input| resolve_input(event, input, inputs)).collect::<Result<Vec<_>, _>>()
-    };
-    let parameters = file.parameters.iter().map(|(name, value)| {
-        let number = name.strip_prefix(['P', 'p']).and_then(|digits| digits.parse().ok());
-        let number = number.filter(|number| value.is_finite() && is_plain_parameter(*number));
-        let number = number.ok_or_else(|| WorldError::NotAParameter { event, name: name.clone() });
-        number.map(|number| (number, *value))
-    });
-    Ok(WorldEvent {
-        at,
-        set: resolve(&file.set)?,
-        clear: resolve(&file.clear)?,
-        parameters: parameters.collect::<Result<_, WorldError>>()?,
-        typed,
-        note: file.note.clone(),
-    })
-}
-
-fn read_typed(event: usize, file: &EventFile) -> Result<Option<TypedText>, WorldError> {
-    let (stream, text) = match (&file.stream, &file.text) {
-        (None, None) => return Ok(None),
-        (Some(stream), Some(text)) => (stream, text),
-        _ => return Err(WorldError::HalfTyped { event }),
-    };
-    let port = stream.parse().map_err(|problem| WorldError::UnknownStream { event, problem })?;
-    let byte = |character| u8::try_from(character).map_err(|_| WorldError::Character { event, character });
-    let text = text.chars().map(byte).collect::<Result<Vec<u8>, WorldError>>()?;
-    Ok(Some(TypedText { port, text: as_typed(&text) }))
-}
-
-fn resolve_input(event: usize, input: &InputFile, inputs: &BTreeMap<String, u32>) -> Result<u32, WorldError> {
+fn resolve_input(
+    place: impl FnOnce() -> String,
+    input: &InputFile,
+    inputs: &BTreeMap<String, u32>,
+) -> Result<u32, WorldError> {
     match input {
-        InputFile::Number(number) => outside(*number, || format!("event {event}")),
+        InputFile::Number(number) => outside(*number, place),
         InputFile::Name(name) => inputs.get(name).copied().ok_or_else(|| WorldError::UnknownInput {
-            event,
+            place: place(),
             name: name.clone(),
             known: match inputs.len() {
                 0 => "none".to_owned(),
@@ -310,12 +181,30 @@ mod tests {
                 clear: vec![],
                 parameters: vec![],
                 typed: None,
+                happenings: vec![],
                 note: Some("hand".to_owned())
             }
         );
         assert_eq!(world.events()[1].at, 3.0);
         assert_eq!(world.driven_inputs(), [4, 10]);
         assert_eq!(world.input_name(10), Some("curtain"));
+    }
+
+    #[test]
+    fn axes_are_described() {
+        let world = World::parse(
+            "[inputs]\nhome = 2\n[axis.3]\nplant = \"stepper\"\nstart = 5\nbacklash = 0.1\nmarker = { every = 10 }\n\
+             capture_inputs = [24]\nswitches = [{ input = \"home\", from = 0, to = 2, normally = \"closed\" }]\n\
+             [[event]]\nat = 1\njam = [3]\nmotion_enable = false\n",
+        )
+        .expect("a valid world");
+        let (axis, described) = world.axes().next().expect("an axis");
+        assert!(axis == 3 && matches!(described.plant, PlantWorld::Stepper(_)));
+        let switch = Switch { input: 2, region: Region { from: 0.0, to: 2.0 }, normally_closed: true };
+        assert_eq!((&*described.switches, &*described.capture_inputs), (&[switch][..], &[24][..]));
+        assert_eq!((described.start, described.marker), (5.0, Some(Marker { at: 0.0, every: Some(10.0) })));
+        assert_eq!(world.events()[0].happenings, [Happening::MotionEnable(false), Happening::Jam(3)]);
+        assert_eq!(world.driven_inputs(), [2]);
     }
 
     #[test]
@@ -340,6 +229,62 @@ mod tests {
             ("[[event]]\nat = 1\nparameters = { BIT5 = 1 }", "event 1: `BIT5` is no parameter that keeps a value"),
             ("[[event]]\nat = true\nset = [1]", "expected a number of seconds"),
             ("[[evnt]]\nat = 1", "unknown field `evnt`"),
+            ("[[event]]\nat = 1\njam = [16]", "event 1, `jam`: no controller has an axis 16"),
+            ("[[event]]\nat = 1\ndrive_fault = [-1]", "event 1, `drive_fault`: no controller has an axis -1"),
+            ("[[event]]\nat = 1\nmotion_enable = 1", "invalid type: integer `1`, expected a boolean"),
+            ("[axis.16]", "`axis`: no controller has an axis 16: they are numbered 0 to 15"),
+            ("[axis.X]", "`axis`: no controller has an axis X"),
+            ("[axis.0]\nplnt = 1", "unknown field `plnt`"),
+            ("[axis.0]\nplant = 3", "axis 0, `plant`: expected \"ideal\", \"stepper\" or a table with its `kind`"),
+            ("[axis.0]\nplant = \"real\"", "axis 0, `plant`: unknown variant `real`"),
+            ("[axis.0]\nplant = \"motor\"", "axis 0, `plant`: missing field `inertia`"),
+            (
+                "[axis.0]\nplant = { kind = \"stepper\", inertia = 1 }",
+                "axis 0, `plant`: unknown field `inertia`, expected `greatest_rate`",
+            ),
+            (
+                "[axis.1]\nplant = { kind = \"motor\", inertia = 0, torque_constant = 1, lines = 1000 }",
+                "axis 1, `plant`: `inertia` is 0, and must be above 0",
+            ),
+            (
+                "[axis.1]\nplant = { kind = \"motor\", inertia = 1, torque_constant = 1, lines = -4 }",
+                "axis 1, `plant`: `lines` is -4, and must be above 0",
+            ),
+            (
+                "[axis.1]\nplant = { kind = \"motor\", inertia = 1, torque_constant = 1, lines = 4, coulomb_friction = -1 }",
+                "axis 1, `plant`: `coulomb_friction` is -1, and must be 0 or more",
+            ),
+            (
+                "[axis.1]\nplant = { kind = \"stepper\", greatest_rate = nan }",
+                "axis 1, `plant`: `greatest_rate` is NaN, and must be 0 or more",
+            ),
+            ("[axis.0]\nstart = inf", "axis 0: `start` is inf, and must be a finite number"),
+            ("[axis.0]\nbacklash = -0.1", "axis 0: `backlash` is -0.1, and must be 0 or more"),
+            ("[axis.0]\nmarker = { every = 0 }", "axis 0, `marker`: `every` is 0, and must be above 0"),
+            ("[axis.0]\nmarker = { at = nan }", "axis 0, `marker`: `at` is NaN, and must be a finite number"),
+            ("[axis.0]\nswitches = [{ input = 2 }]", "axis 0, switch 1: where it is closed is said by `from` and `to`"),
+            (
+                "[axis.0]\nswitches = [{ input = 2, above = 1, below = 0 }]",
+                "axis 0, switch 1: where it is closed is said by",
+            ),
+            (
+                "[axis.0]\nswitches = [{ input = 2, from = 1, to = 0 }]",
+                "axis 0, switch 1: `to` is 0, and must be at least `from`",
+            ),
+            (
+                "[axis.0]\nswitches = [{ input = 2, above = nan }]",
+                "axis 0, switch 1: `above` is NaN, and must be a finite number",
+            ),
+            (
+                "[axis.0]\nswitches = [{ input = 2, above = 1 }, { input = \"home\", above = 1 }]",
+                "axis 0, switch 2: no input is named `home`",
+            ),
+            (
+                "[axis.0]\nswitches = [{ input = 32, above = 1 }]",
+                "axis 0, switch 1: flag 32 does not come from outside",
+            ),
+            ("[axis.0]\nswitches = [{ input = 3, above = 1, normally = \"shut\" }]", "unknown variant `shut`"),
+            ("[axis.0]\ncapture_inputs = [1, 2, 3]", "axis 0: `capture_inputs` names 3 inputs"),
         ] {
             let message = World::parse(text).expect_err(text).to_string();
             assert!(message.contains(expected), "{text}\n{message}");

@@ -50,13 +50,6 @@ fn user_flags_keep_their_state() {
 }
 
 #[test]
-fn a_flag_whose_effect_is_not_simulated_leaves_a_note() {
-    let ran = Sim::program("SET 8469").run().clean();
-    assert_eq!(ran.notes().len(), 1);
-    assert!(ran.notes().iter().all(|note| note.ends_with("was set: the dry run does not simulate what it does")));
-}
-
-#[test]
 fn a_number_that_no_document_names_is_memory_with_a_note() {
     let ran = Sim::program("SET 17670\nPRINT P4648, BIT(17670)\nP20000 = 1.5\nPRINT P20000, P20001").run().clean();
     assert_eq!(ran.record.output.iter().map(|line| &*line.text).collect::<Vec<_>>(), ["64\t-1", "1.5\t0"]);

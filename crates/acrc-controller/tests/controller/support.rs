@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::{World, WorldEvent};
-use acrc_controller::{Controller, FaultReport, Observer, Options, Port, Sent, Stopped, View};
+use acrc_controller::{BacklashRule, Controller, FaultReport, Observer, Options, Port, Sent, Stopped, View};
 use acrc_image::{Image, UnitName};
 use acrc_syntax::units::Level;
 
@@ -30,6 +30,7 @@ pub(crate) struct Sim {
     model: &'static str,
     watched: bool,
     plc_scan: Option<f64>,
+    backlash: BacklashRule,
 }
 
 impl Sim {
@@ -45,6 +46,7 @@ impl Sim {
             model: "ACR9000",
             watched: true,
             plc_scan: None,
+            backlash: BacklashRule::default(),
         }
     }
 
@@ -100,6 +102,12 @@ impl Sim {
         self
     }
 
+    /// Backlash compensation goes by the direction of travel.
+    pub(crate) fn travel_backlash(mut self) -> Self {
+        self.backlash = BacklashRule::PositiveTravel;
+        self
+    }
+
     /// Whether the observer is shown every tick.
     pub(crate) fn watched(mut self, watched: bool) -> Self {
         self.watched = watched;
@@ -118,10 +126,16 @@ impl Sim {
         compile(&[unit], self.model).unwrap_or_else(|errors| panic!("{}\n{errors:#?}", self.text))
     }
 
-    pub(crate) fn run(&self) -> Ran {
+    /// The controller at power-up, for a test that lets time pass itself.
+    pub(crate) fn controller(&self) -> Controller {
         let world = World::parse(&self.world).expect("the world of a test is valid");
-        let options = Options { world, seed: self.seed, plc_scan: self.plc_scan, ..Options::default() };
-        let mut controller = Controller::new(Arc::new(self.image()), options).expect("compiled programs load");
+        let options =
+            Options { world, seed: self.seed, plc_scan: self.plc_scan, backlash: self.backlash, ..Options::default() };
+        Controller::new(Arc::new(self.image()), options).expect("compiled programs load")
+    }
+
+    pub(crate) fn run(&self) -> Ran {
+        let mut controller = self.controller();
         for (port, text) in &self.typed {
             controller.offer(port.parse::<Port>().expect("a port"), text.as_bytes());
         }

@@ -97,6 +97,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) inputs: &'a [(f64, u32, bool)],
     /// Seconds, parameter, and the value that it gets from outside.
     pub(crate) parameters: &'a [(f64, &'a str, f64)],
+    /// The mechanics of the axes.
+    pub(crate) axes: &'a str,
     /// Seconds, port, and what is typed there.
     pub(crate) typed: &'a [(f64, &'a str, &'a str)],
     /// A flag whose changes are recorded.
@@ -342,7 +344,8 @@ fn world(plan: &Plan) -> World {
     let typed = plan.typed.iter().map(|(at, port, text)| {
         format!("[[event]]\nat = {at:?}\nstream = {port:?}\ntext = {text:?}\n").replace("\\u{1b}", "\\u001b")
     });
-    World::parse(&inputs.chain(parameters).chain(typed).collect::<String>()).expect("the world of a test")
+    let axes = std::iter::once(plan.axes.to_owned());
+    World::parse(&inputs.chain(parameters).chain(typed).chain(axes).collect::<String>()).expect("the world of a test")
 }
 
 /// Whether two numbers agree.

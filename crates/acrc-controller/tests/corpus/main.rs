@@ -9,6 +9,7 @@ mod guide;
 mod hardware;
 mod homing;
 mod jogs;
+mod marks;
 mod moves;
 mod recovery;
 mod setup;
@@ -23,7 +24,7 @@ use check::Check;
 use guide::Listing;
 
 /// The files that a dry run refuses, and the commands that it does not execute.
-const REFUSED: &[(u8, &[&str])] = &[(49, &["MSEEK"]), (54, &["MSEEK"]), (55, &["MSEEK"])];
+const REFUSED: &[(u8, &[&str])] = &[];
 
 /// The files with a mistake that keeps them from being compiled.
 const BROKEN: &[u8] = &[63];
@@ -32,13 +33,14 @@ const BROKEN: &[u8] = &[63];
 type Checks = &'static [(u8, &'static [Check])];
 
 /// The checks of all files, by topic.
-const TOPICS: [Checks; 9] = [
+const TOPICS: [Checks; 10] = [
     flow::CHECKS,
     hardware::CHECKS,
     setup::CHECKS,
     moves::CHECKS,
     jogs::CHECKS,
     homing::CHECKS,
+    marks::CHECKS,
     values::CHECKS,
     devices::CHECKS,
     recovery::CHECKS,
@@ -112,6 +114,11 @@ fn jogs_are_shown() {
 #[test]
 fn homing_is_shown() {
     show(homing::CHECKS);
+}
+
+#[test]
+fn marks_are_shown() {
+    show(marks::CHECKS);
 }
 
 #[test]

@@ -133,7 +133,8 @@ fn exact_divisions(listing: &Listing, _: &Fact) {
 }
 
 fn codes_are_cleared(listing: &Listing, _: &Fact) {
-    let plan = Plan { inputs: &[(1.0, 5646, true)], parameters: &[(1.0, "P32779", 3.0)], ..Plan::default() };
+    // The input opens when the kill is over: while it is latched, the program leaves kills alone.
+    let plan = Plan { inputs: &[(2.5, 5646, true)], parameters: &[(1.0, "P32779", 3.0)], ..Plan::default() };
     let mut bench = handler(listing, &["SET 8467"], &plan);
     bench.pass(1.0).clean();
     assert_eq!(
