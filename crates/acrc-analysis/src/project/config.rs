@@ -53,6 +53,8 @@ pub struct SimConfig {
     /// Time from one scan of the PLC programs to the next; above zero.
     #[serde(deserialize_with = "scan_time")]
     pub plc_scan: Option<SimTime>,
+    /// When `BKL` is added.
+    pub backlash: Option<Backlash>,
 }
 
 fn scan_time<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<SimTime>, D::Error> {
@@ -61,6 +63,16 @@ fn scan_time<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<SimTim
     above_zero
         .map(Some)
         .ok_or_else(|| D::Error::custom("`plc-scan` is the time from one scan to the next, so it is above 0"))
+}
+
+/// When backlash compensation is added to the setpoint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Backlash {
+    /// While the primary setpoint is positive, as the guide words it.
+    Position,
+    /// While the axis travels, or has travelled last, in the positive direction.
+    Travel,
 }
 
 /// Unit of angles in functions.

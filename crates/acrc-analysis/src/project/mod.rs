@@ -22,7 +22,8 @@ use acrc_syntax::{SourceText, Tree};
 use camino::{Utf8Path, Utf8PathBuf};
 
 pub use config::{
-    Angles, BlockEnds, CONFIG_NAME, Config, FmtConfig, KeywordCase, ProjectConfig, RunTarget, SimConfig, SimTime,
+    Angles, Backlash, BlockEnds, CONFIG_NAME, Config, FmtConfig, KeywordCase, ProjectConfig, RunTarget, SimConfig,
+    SimTime,
 };
 pub use error::LoadError;
 pub use files::{Disk, FileKind, Files};

@@ -13,14 +13,14 @@ use std::io::IsTerminal as _;
 use std::sync::Arc;
 
 use acrc_controller::nonvolatile::Saved;
-use acrc_controller::{AngleUnit, Controller, Options};
+use acrc_controller::{Controller, Options};
 use acrc_image::Image;
 use anyhow::Context as _;
 
 use self::session::Session;
 use super::nonvolatile::State;
 use super::project::{compile, load, title};
-use super::sim::{angles, load_world, plc_scan, read_world};
+use super::sim::{angles, backlash, load_world, plc_scan, read_world};
 use crate::cli::{ColorChoice, ReplArguments, Speed};
 use crate::exit::Exit;
 use crate::output::Terminal;
@@ -60,19 +60,24 @@ fn prepare(
     kept: Option<&Saved>,
     color: ColorChoice,
 ) -> anyhow::Result<Option<(String, Image, Options)>> {
-    let options = |world, angles, plc_scan| Options { world, seed: arguments.seed, angles, plc_scan, plcs: Vec::new() };
+    let options = |world| Options { world, seed: arguments.seed, ..Options::default() };
     let Some(path) = &arguments.project else {
         let of_state = || kept.map_or(acrc_catalog::default_model().name, |saved| &saved.model);
         let model = arguments.model.map_or_else(of_state, |model| model.name);
         let name = if kept.is_some() { "stored programs" } else { "factory settings" };
         let world = arguments.world.as_deref().map(read_world).transpose()?.unwrap_or_default();
-        let options = options(world, AngleUnit::default(), None);
+        let options = options(world);
         return Ok(Some((name.to_owned(), Image::empty(model), options)));
     };
     let mut project = load(path)?;
     project.model = arguments.model.unwrap_or(project.model);
     let world = load_world(arguments.world.as_deref(), &project)?;
     let image = compile(&project, "is not started", Terminal::error(color));
-    let options = options(world, angles(None, Some(&project)), plc_scan(&project));
+    let options = Options {
+        angles: angles(None, Some(&project)),
+        plc_scan: plc_scan(&project),
+        backlash: backlash(&project),
+        ..options(world)
+    };
     Ok(image.map(|image| (title(&project).to_owned(), image, options)))
 }

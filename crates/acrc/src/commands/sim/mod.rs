@@ -16,9 +16,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use acrc_analysis::project::{Angles as ConfigAngles, LoadedProject};
+use acrc_analysis::project::{Angles as ConfigAngles, Backlash, LoadedProject};
 use acrc_controller::world::World;
-use acrc_controller::{AngleUnit, Controller, Options, Stopped};
+use acrc_controller::{AngleUnit, BacklashRule, Controller, Options, Stopped};
 use acrc_image::{Image, UnitName};
 use acrc_syntax::units::Level;
 use anyhow::{Context as _, bail};
@@ -41,6 +41,7 @@ struct Setup {
     world: World,
     angles: AngleUnit,
     plc_scan: Option<f64>,
+    backlash: BacklashRule,
     start: Vec<u8>,
     plcs: Vec<u8>,
     until: f64,
@@ -67,8 +68,8 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         Some(project) => of_project(arguments, project, color)?,
         None => of_state(arguments, state.as_ref())?,
     };
-    let Setup { image, world, angles, plc_scan, mut start, plcs, until, title, mut notes } = setup;
-    let options = Options { world, seed: arguments.seed, angles, plcs, plc_scan };
+    let Setup { image, world, angles, plc_scan, backlash, mut start, plcs, until, title, mut notes } = setup;
+    let options = Options { world, seed: arguments.seed, angles, plcs, plc_scan, backlash };
     let kept = state.as_ref().and_then(|state| state.saved.as_ref());
     let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
         .with_context(|| State::cannot_power_up(state.as_ref()))?;
@@ -145,11 +146,13 @@ fn of_project(arguments: &SimArguments, project: &LoadedProject, color: ColorCho
         notes.push(format!("the linter finds {errors} {plural} in this project; acrc lint shows them"));
     }
     let angles = angles(arguments.angles, Some(project));
+    let backlash = backlash(project);
     Ok(Setup {
         image: Arc::new(image),
         world,
         angles,
         plc_scan: plc_scan(project),
+        backlash,
         start,
         plcs,
         until,
@@ -168,6 +171,7 @@ fn of_state(arguments: &SimArguments, state: Option<&State>) -> anyhow::Result<S
         world: arguments.world.as_deref().map_or_else(|| Ok(World::default()), read_world)?,
         angles: angles(arguments.angles, None),
         plc_scan: None,
+        backlash: BacklashRule::default(),
         start: Vec::new(),
         plcs: Vec::new(),
         until: arguments.until.unwrap_or(DEFAULT_UNTIL),
@@ -193,6 +197,14 @@ fn kept_programs_to_start(arguments: &SimArguments, controller: &Controller, ima
     }
     refuse_unsupported(&stored, &start, &[])?;
     Ok(start)
+}
+
+/// When a project adds backlash compensation.
+pub(super) fn backlash(project: &LoadedProject) -> BacklashRule {
+    match project.config.sim.backlash {
+        Some(Backlash::Travel) => BacklashRule::PositiveTravel,
+        Some(Backlash::Position) | None => BacklashRule::PositiveSetpoint,
+    }
 }
 
 /// The unit of angles of the command line, else of the project.
