@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use acrc_compile::{SourceUnit, compile};
-use acrc_controller::world::WorldEvent;
+use acrc_controller::world::{World, WorldEvent};
 use acrc_controller::{Controller, FaultReport, Observer, Options, Sent, View};
 use acrc_image::Image;
 use acrc_syntax::units::Level;
@@ -26,6 +26,42 @@ const MOVING: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"A\"\nATTACH S
                       ATTACH SLAVE3 AXIS3 \"D\"\nATTACH SLAVE4 AXIS4 \"E\"\nATTACH SLAVE5 AXIS5 \"G\"\nATTACH SLAVE6 AXIS6 \"H\"\n\
                       ATTACH SLAVE7 AXIS7 \"I\"\nACC 500 DEC 500 STP 0 VEL 50\nPROGRAM\n_Again\n\
                       A/10 B/5 C/4 D/3 E/2 G/1 H/7 I/6\nA/-10 B/-5 C/-4 D/-3 E/-2 G/-1 H/-7 I/-6\nGOTO Again\nENDP\n";
+
+/// The motors of the same axes, and of eight more that jog forth and back.
+fn motors() -> (String, String) {
+    let jogging =
+        (8..16).map(|axis| format!("AXIS{axis} JOG VEL 20\nAXIS{axis} JOG ACC 200\nAXIS{axis} JOG DEC 200\n"));
+    let loops = (0..16).map(|axis| {
+        let gains = [
+            "PPU 4000",
+            "PGAIN 0.005",
+            "IGAIN 0.01",
+            "ILIMIT 1",
+            "DGAIN 0.00003",
+            "FFVEL 0.000001",
+            "FFACC 0.00000001",
+            "NOTCH (200, 20)",
+            "LOPASS 500",
+            "EXC 10",
+            "HLIM 3",
+            "SLIM 3",
+            "SLM 1000",
+        ];
+        gains.map(|gain| format!("AXIS{axis} {gain}\n")).concat()
+    });
+    let start: String = (8..16).map(|axis| format!("AXIS{axis} JOG FWD\n")).collect();
+    let drives: String = (0..16).map(|axis| format!("SET {}\n", 8465 + 32 * axis)).collect();
+    let setup: String = loops.chain(jogging).collect();
+    let text = MOVING.replace("PROGRAM\n", &format!("PROGRAM\n{drives}{start}"));
+    let world = (0..16).map(|axis| {
+        format!(
+            "[axis.{axis}]\nplant = {{ kind = \"motor\", inertia = 2e-5, torque_constant = 0.157, lines = 4000, \
+             viscous_friction = 4e-4, coulomb_friction = 0.001 }}\nmarker = {{ every = 1 }}\n\
+             switches = [{{ input = {axis}, from = 5, to = 6 }}]\n"
+        )
+    });
+    (format!("{setup}{text}"), world.collect())
+}
 
 /// Waits, mostly.
 const WAITING: &str = "PROG0\nPROGRAM\n_Again\nDWL 0.1\nBIT 32 = NOT BIT 32\nGOTO Again\nENDP\n";
@@ -58,7 +94,7 @@ fn idle_projects() -> [(&'static str, String, Vec<u8>); 5] {
 /// Not measured by criterion: an hour each, once.
 fn idle_hours() {
     for (name, text, programs) in idle_projects() {
-        let image = image(&text);
+        let image = image(&text, "ACR9000");
         let mut controller = Controller::new(image, Options::default()).expect("it loads");
         let start = Instant::now();
         controller.run(&programs, 3600.0, &mut Blind { every_tick: false });
@@ -83,24 +119,25 @@ impl Observer for Blind {
     }
 }
 
-fn image(text: &str) -> Arc<Image> {
+fn image(text: &str, model: &str) -> Arc<Image> {
     let tree = acrc_syntax::parse(text);
     let file = SourceUnit { name: "bench", text, tree: &tree, start: Level::System, implicit_program: false };
-    Arc::new(compile(&[file], "ACR9000").expect("the program compiles"))
+    Arc::new(compile(&[file], model).expect("the program compiles"))
 }
 
 /// Runs program 0 and gives the number of its statements.
-fn run(image: &Arc<Image>, every_tick: bool) -> u64 {
-    let mut controller = Controller::new(Arc::clone(image), Options::default()).expect("it loads");
+fn run(image: &Arc<Image>, world: &World, every_tick: bool) -> u64 {
+    let options = Options { world: world.clone(), ..Options::default() };
+    let mut controller = Controller::new(Arc::clone(image), options).expect("it loads");
     controller.run(&[0], SECONDS, &mut Blind { every_tick });
     controller.programs().iter().map(|program| program.statements).sum()
 }
 
 /// The best of several runs, as the machine may be busy with other things.
-fn best(image: &Arc<Image>, every_tick: bool) -> Duration {
+fn best(image: &Arc<Image>, world: &World, every_tick: bool) -> Duration {
     let once = || {
         let start = Instant::now();
-        run(image, every_tick);
+        run(image, world, every_tick);
         start.elapsed()
     };
     (0..10).map(|_| once()).min().unwrap_or_default()
@@ -109,15 +146,18 @@ fn best(image: &Arc<Image>, every_tick: bool) -> Duration {
 fn virtual_time(criterion: &mut Criterion) {
     idle_hours();
     let mut group = criterion.benchmark_group("ten_seconds");
+    let (motors, world) = motors();
     let runs = [
-        ("polling", POLLING, false),
-        ("registers", REGISTERS, false),
-        ("moving", MOVING, false),
-        ("waiting", WAITING, true),
+        ("polling", POLLING, "", false),
+        ("registers", REGISTERS, "", false),
+        ("moving", MOVING, "", false),
+        ("16 motors", &motors, &world, false),
+        ("waiting", WAITING, "", true),
     ];
-    for (name, text, every_tick) in runs {
-        let image = image(text);
-        let (statements, seconds) = (run(&image, every_tick), best(&image, every_tick).as_secs_f64());
+    for (name, text, world, every_tick) in runs {
+        let image = image(text, if world.is_empty() { "ACR9000" } else { "ACR8020" });
+        let world = World::parse(world).expect("a valid world");
+        let (statements, seconds) = (run(&image, &world, every_tick), best(&image, &world, every_tick).as_secs_f64());
         println!(
             "{name}: {:.0} times real time, {:.2} million ticks a second, {:.2} million statements a second",
             SECONDS / seconds,
@@ -125,7 +165,7 @@ fn virtual_time(criterion: &mut Criterion) {
             statements as f64 / seconds / 1e6,
         );
         group.throughput(Throughput::Elements((SECONDS / 0.0005) as u64));
-        group.bench_function(name, |bencher| bencher.iter(|| run(&image, every_tick)));
+        group.bench_function(name, |bencher| bencher.iter(|| run(&image, &world, every_tick)));
     }
     group.finish();
 }

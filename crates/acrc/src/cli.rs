@@ -159,6 +159,13 @@ pub(crate) enum MemFormat {
                         usual                    every axis, and the inputs and outputs used\n\
                         docs/traces.md has more. Example:\n  \
                         acrc sim machine --signals usual,P12297 --rate 500us --trace run.parquet --report run.html\n\n\
+                        --world describes the machine (docs/world.md): names of inputs, [axis.0] and so on, events. Example:\n  \
+                        [axis.0]\n  \
+                        plant = { kind = \"motor\", inertia = 2e-5, torque_constant = 0.157, lines = 4000 }\n  \
+                        switches = [{ input = 2, from = 0.0, to = 2.0 }, { input = 0, above = 100.0 }]\n  \
+                        [[event]]\n  \
+                        at = \"2s\"\n  \
+                        jam = [0]\n\n\
                         Exit status: 0 the run went well, 1 a run-time error occurred, 2 could not run, 130 interrupted.")]
 pub(crate) struct SimArguments {
     /// The project
@@ -167,7 +174,7 @@ pub(crate) struct SimArguments {
     /// Programs to start
     #[arg(long, value_name = "PROGn,...", value_delimiter = ',', value_parser = parse_program)]
     pub(crate) run: Vec<u8>,
-    /// The machine around the controller: scripted inputs and parameters
+    /// The machine around the controller: inputs, motors, switches, faults (docs/world.md)
     #[arg(long, value_name = "world.toml")]
     pub(crate) world: Option<PathBuf>,
     /// Virtual time at which the run ends: 60s, 1500ms, 5min, 1h [default: 60s, or what acrc.toml says]

@@ -78,3 +78,15 @@ fn a_machine_stays_where_it_is_over_a_restart() {
     assert!(ran.bit(3), "the switch is still closed");
     assert_eq!(ran.position(0), 0.0);
 }
+
+#[test]
+fn the_examples_of_the_page_are_worlds() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/world.md");
+    let page = std::fs::read_to_string(path).expect("docs/world.md");
+    let examples: Vec<&str> = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(examples.len(), 5);
+    for example in examples {
+        let world = acrc_controller::world::World::parse(example);
+        assert!(world.is_ok(), "{example}\n{world:?}");
+    }
+}

@@ -37,7 +37,7 @@ pub(crate) struct ReplArguments {
     /// The stream at which the session is typed [default: the first that the model has]
     #[arg(long, value_name = "STREAM", value_parser = parse_stream)]
     pub(crate) stream: Option<StreamName>,
-    /// The machine around the controller: scripted inputs
+    /// The machine around the controller: inputs, motors, switches, faults (docs/world.md)
     #[arg(long, value_name = "world.toml")]
     pub(crate) world: Option<PathBuf>,
     /// Folder of what the controller keeps without power; made if there is none. A session begins with what it holds
