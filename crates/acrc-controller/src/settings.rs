@@ -143,12 +143,23 @@ impl Machine {
         let items = completed(command, items)?;
         match numbers(command, object)? {
             Some((Kind::Parameters, numbers)) => self.set_parameters(command, &numbers, &items),
-            Some((Kind::Flags, numbers)) => self.set_flags(command, &numbers, &items),
-            None => {
-                self.settings.keep(command, object, items);
-                self.motion.touch();
+            Some((Kind::Flags, numbers)) => {
+                self.set_flags(command, &numbers, &items)?;
+                self.touch_setting(command, object);
                 Ok(())
             }
+            None => {
+                self.settings.keep(command, object, items);
+                self.touch_setting(command, object);
+                Ok(())
+            }
+        }
+    }
+
+    fn touch_setting(&mut self, command: CommandId, object: u16) {
+        match u8::try_from(object) {
+            Ok(axis) if command.info().takes_axes && axis < self.model.axes => self.motion.touch_axis(axis),
+            _ => self.motion.touch(),
         }
     }
 
@@ -189,7 +200,6 @@ impl Machine {
         for (bit, number) in numbers.iter().enumerate() {
             self.flags.set(*number, value >> bit & 1 == 1);
         }
-        self.motion.touch();
         Ok(())
     }
 }

@@ -33,8 +33,10 @@ use sources::Gates;
 /// What the axes have in common.
 #[derive(Clone, Debug)]
 pub(crate) struct AxisMotion {
-    /// A setting has been written since the profilers took theirs.
-    stale: bool,
+    /// The axes of which a setting has been written since their profilers took theirs, one bit each.
+    stale: u32,
+    /// The same of a ratchet, limiter, limit switch or channel.
+    objects_stale: bool,
     /// An axis moves by itself, or something has happened to which one may react in the next tick.
     awake: bool,
     kills: KillProtocol,
@@ -49,7 +51,8 @@ impl AxisMotion {
     /// Power-up.
     pub(crate) fn new() -> Self {
         Self {
-            stale: true,
+            stale: u32::MAX,
+            objects_stale: true,
             awake: true,
             kills: KillProtocol::default(),
             gates: Gates::default(),
@@ -65,8 +68,15 @@ impl AxisMotion {
     }
 
     /// A setting of an axis has been written.
+    pub(crate) fn touch_axis(&mut self, axis: u8) {
+        self.stale |= 1 << axis;
+        self.awake = true;
+    }
+
+    /// A setting has been written that may be anybody's.
     pub(crate) fn touch(&mut self) {
-        self.stale = true;
+        self.stale = u32::MAX;
+        self.objects_stale = true;
         self.awake = true;
     }
 

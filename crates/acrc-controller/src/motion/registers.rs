@@ -156,7 +156,7 @@ impl Machine {
         };
         self.set_registers(axis, &before, &after)?;
         self.axes[usize::from(axis)].pulses_per_unit = ratio;
-        self.motion.touch();
+        self.motion.touch_axis(axis);
         Ok(())
     }
 }

@@ -9,19 +9,26 @@ use crate::machine::Machine;
 use crate::settings::Item;
 
 impl Machine {
-    /// Gives every profiler the settings of now.
+    /// Gives the profilers of which a setting was written the settings of now.
     pub(crate) fn refresh_axes(&mut self) {
-        self.motion.switch_words = 0;
-        for axis in 0..self.model.axes {
+        let stale = std::mem::take(&mut self.motion.stale);
+        for axis in (0..self.model.axes).filter(|axis| stale >> axis & 1 == 1) {
             // A value that a profiler does not take leaves it with what it has.
             let refreshed = [self.refresh_axis(axis), self.refresh_followers(axis), self.refresh_mechanism(axis)];
             for error in refreshed.into_iter().filter_map(Result::err) {
                 self.notes.insert(format!("AXIS{axis}: {error}; the value before stays in force"));
             }
         }
-        self.refresh_gates();
-        self.refresh_limit_switches();
-        self.refresh_sampling();
+        if stale != 0 {
+            let inputs = self.axes.iter().flat_map(|axis| axis.switches).flatten();
+            let words = inputs.map(|input| 1u64.checked_shl(input / u32::BITS).unwrap_or(0));
+            self.motion.switch_words = words.fold(0, |words, word| words | word);
+        }
+        if std::mem::take(&mut self.motion.objects_stale) {
+            self.refresh_gates();
+            self.refresh_limit_switches();
+            self.refresh_sampling();
+        }
     }
 
     /// Gear, hand wheel, cam and compensation.
@@ -100,9 +107,6 @@ impl Machine {
         };
         let latched = self.sides(law::POS_LIMIT_HIT, law::NEG_LIMIT_HIT, axis);
         let switches = self.switches(axis);
-        for input in switches.into_iter().flatten() {
-            self.motion.switch_words |= 1u64.checked_shl(input / u32::BITS).unwrap_or(0);
-        }
         let state = &mut self.axes[usize::from(axis)];
         state.switches = switches;
         state.limits.set_latched(latched);

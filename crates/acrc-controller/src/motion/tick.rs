@@ -63,9 +63,7 @@ impl Machine {
 
     /// Lets a tick of `dt` seconds pass for the axes, whose masters have advanced. Without time it only looks at what has happened.
     pub(crate) fn advance_axes(&mut self, dt: f64, arrays: &mut dyn Arrays) {
-        if std::mem::take(&mut self.motion.stale) {
-            self.refresh_axes();
-        }
+        self.refresh_axes();
         let awake = std::mem::take(&mut self.motion.awake);
         let mut active = 0_u32;
         for axis in 0..self.model.axes {

@@ -58,7 +58,7 @@ impl Machine {
             }
             Effect::AxisSetting => {
                 self.flags.set(number, state);
-                self.motion.touch();
+                self.motion.touch_axis(object);
             }
             // A flag that has its state already says nothing of the jog that another command has started.
             Effect::Jog(_) if self.flags.get(number) == state => {}

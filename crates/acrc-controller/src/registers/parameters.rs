@@ -73,8 +73,11 @@ impl Machine {
         let acts = entry.owner == Owner::Axis || Self::scales_output(index);
         let before = acts.then(|| self.registers.get(index, entry.form));
         if self.registers.set(index, entry.form, value) {
-            if before.is_some_and(|before| before != self.registers.get(index, entry.form)) {
-                self.motion.touch();
+            match before {
+                Some(before) if before == self.registers.get(index, entry.form) => {}
+                Some(_) if entry.owner == Owner::Axis => self.motion.touch_axis(entry.object),
+                Some(_) => self.motion.touch(),
+                None => {}
             }
             return Ok(());
         }
