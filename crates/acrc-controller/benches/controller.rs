@@ -49,8 +49,8 @@ fn motors() -> (String, String) {
         ];
         gains.map(|gain| format!("AXIS{axis} {gain}\n")).concat()
     });
-    let start: String = (8..16).map(|axis| format!("AXIS{axis} JOG FWD\n")).collect();
-    let drives: String = (0..16).map(|axis| format!("SET {}\n", 8465 + 32 * axis)).collect();
+    let start = (8..16).map(|axis| format!("AXIS{axis} JOG FWD\n")).collect::<Vec<_>>().concat();
+    let drives = (0..16).map(|axis| format!("SET {}\n", 8465 + 32 * axis)).collect::<Vec<_>>().concat();
     let setup: String = loops.chain(jogging).collect();
     let text = MOVING.replace("PROGRAM\n", &format!("PROGRAM\n{drives}{start}"));
     let world = (0..16).map(|axis| {

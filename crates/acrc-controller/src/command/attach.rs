@@ -19,7 +19,7 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::DETACH_ALL, Action::Run(detach_all)),
 ];
 
-/// Which encoder and output an axis uses does not matter to an ideal machine; the axis must exist, and `ATTACH` reports what was said.
+/// Encoder and output matter to a motor that the world describes; `ATTACH` reports what was said.
 fn attach_axis(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let index = object(call, 0, ObjectKind::Axis)?;
     let axis = context.axis(index)?;

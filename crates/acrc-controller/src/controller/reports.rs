@@ -4,6 +4,7 @@ use acrc_image::UnitName;
 
 use super::{Controller, View};
 use crate::error::ControllerError;
+use crate::mechanics::Mechanism;
 use crate::program::State;
 use crate::report::{AxisReport, MasterReport, ProgramReport};
 
@@ -53,12 +54,14 @@ impl Controller {
             .into_iter()
             .map(|axis| {
                 let state = &self.machine.axes[usize::from(axis)];
+                // A motor without its drive stands, and shows that by its following error.
+                let follows = self.machine.mechanics.of(axis).is_none_or(Mechanism::is_ideal);
                 AxisReport {
                     axis,
                     name: view.axis_name(axis),
                     position: view.position(axis),
                     statistics: state.statistics,
-                    moved_disabled: state.statistics.travel > 0.0 && !state.was_enabled,
+                    moved_disabled: state.statistics.travel > 0.0 && follows && !state.was_enabled,
                 }
             })
             .collect()

@@ -170,9 +170,14 @@ impl Mechanism {
         (!self.is_led()).then(|| self.counted() - self.origin)
     }
 
-    /// Whether the machine is wherever the setpoint is.
+    /// Whether the machine goes wherever the setpoint is.
+    pub(crate) fn is_ideal(&self) -> bool {
+        matches!(self.plant, Plant::Ideal { .. })
+    }
+
+    /// Whether it is there now.
     fn is_led(&self) -> bool {
-        matches!(self.plant, Plant::Ideal { .. }) && !self.jammed && !self.blind
+        self.is_ideal() && !self.jammed && !self.blind
     }
 
     /// Whether the following error lies in the in-position band.
