@@ -43,7 +43,6 @@ fn motors() -> (String, String) {
             "NOTCH (200, 20)",
             "LOPASS 500",
             "EXC 10",
-            "HLIM 3",
             "SLIM 3",
             "SLM 1000",
         ];

@@ -73,8 +73,8 @@ fn seek(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
     let next = next.interruptible(sought(*first).code());
     let outcome = context.queue(call, master, &next)?;
     if outcome == Outcome::Done {
-        context.machine.masters[master].ahead.seek =
-            Some(Seek::new(axes.iter().map(|(axis, slot, _)| (*axis, *slot)), settings));
+        let seek = Seek::new(axes.iter().map(|(axis, slot, _)| (*axis, *slot)), settings);
+        context.machine.begin_seek(master, seek);
         for (axis, _, mode) in axes {
             context.machine.arm_capture(axis, mode, axis);
         }

@@ -122,6 +122,9 @@ impl Machine {
 
     /// Lets the searches go on whose moves have ended: back to the marks, which then become zero.
     pub(crate) fn end_seeks(&mut self) {
+        if !self.mechanics.seeks {
+            return;
+        }
         for master in 0..self.masters.len() {
             if !self.masters[master].profiler.in_motion()
                 && let Some(seek) = self.masters[master].ahead.seek.take()
@@ -129,6 +132,13 @@ impl Machine {
                 self.end_seek(master, seek);
             }
         }
+        self.mechanics.seeks = self.masters.iter().any(|master| master.ahead.seek.is_some());
+    }
+
+    /// A master begins to look for marks.
+    pub(crate) fn begin_seek(&mut self, master: usize, seek: Seek) {
+        self.masters[master].ahead.seek = Some(seek);
+        self.mechanics.seeks = true;
     }
 
     fn end_seek(&mut self, master: usize, mut seek: Seek) {

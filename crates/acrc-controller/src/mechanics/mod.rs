@@ -36,6 +36,8 @@ pub(crate) struct Mechanics {
     moves: bool,
     /// An input captures positions.
     captures: bool,
+    /// A master looks for marks.
+    seeks: bool,
 }
 
 impl Mechanics {

@@ -65,20 +65,20 @@ impl Machine {
     pub(crate) fn advance_axes(&mut self, dt: f64, arrays: &mut dyn Arrays) {
         self.refresh_axes();
         let awake = std::mem::take(&mut self.motion.awake);
-        let mut active = 0_u32;
+        // Axes to be looked at, as bits: few of them in most ticks.
+        let mut watched = 0_u32;
         for axis in 0..self.model.axes {
-            if self.axes[usize::from(axis)].works() {
-                active |= 1 << axis;
+            let active = self.axes[usize::from(axis)].works();
+            if active {
                 self.advance_axis(axis, dt, arrays);
             }
+            let watch = awake || active || self.axes[usize::from(axis)].is_guarded() && self.axis_in_motion(axis);
+            watched |= u32::from(watch) << axis;
         }
         self.advance_mechanics(dt);
-        for axis in 0..self.model.axes {
-            let active = active >> axis & 1 == 1;
-            let state = &self.axes[usize::from(axis)];
-            if awake || active || state.is_guarded() && self.axis_in_motion(axis) {
-                self.watch_axis(axis);
-            }
+        while watched != 0 {
+            self.watch_axis(watched.trailing_zeros() as u8);
+            watched &= watched - 1;
         }
         if awake {
             self.advance_limit_switches(arrays);
