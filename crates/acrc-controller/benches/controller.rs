@@ -27,12 +27,13 @@ const MOVING: &str = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"A\"\nATTACH S
                       ATTACH SLAVE7 AXIS7 \"I\"\nACC 500 DEC 500 STP 0 VEL 50\nPROGRAM\n_Again\n\
                       A/10 B/5 C/4 D/3 E/2 G/1 H/7 I/6\nA/-10 B/-5 C/-4 D/-3 E/-2 G/-1 H/-7 I/-6\nGOTO Again\nENDP\n";
 
-/// The motors of the same axes, and of eight more that jog forth and back.
+/// The same with sixteen axes, each with a motor, a switch and marks, and everything in its loop.
 fn motors() -> (String, String) {
-    let jogging =
-        (8..16).map(|axis| format!("AXIS{axis} JOG VEL 20\nAXIS{axis} JOG ACC 200\nAXIS{axis} JOG DEC 200\n"));
-    let loops = (0..16).map(|axis| {
-        let gains = [
+    let axes = || (0..16_u8).map(|axis| (axis, format!("A{}", char::from(b'A' + axis))));
+    let joined =
+        |part: &dyn Fn(u8, &str) -> String| axes().map(|(axis, name)| part(axis, &name)).collect::<Vec<_>>().concat();
+    let loops = joined(&|axis, _| {
+        let settings = [
             "PPU 4000",
             "PGAIN 0.005",
             "IGAIN 0.01",
@@ -43,23 +44,25 @@ fn motors() -> (String, String) {
             "NOTCH (200, 20)",
             "LOPASS 500",
             "EXC 10",
-            "SLIM 3",
-            "SLM 1000",
         ];
-        gains.map(|gain| format!("AXIS{axis} {gain}\n")).concat()
+        settings.map(|setting| format!("AXIS{axis} {setting}\n")).concat()
     });
-    let start = (8..16).map(|axis| format!("AXIS{axis} JOG FWD\n")).collect::<Vec<_>>().concat();
-    let drives = (0..16).map(|axis| format!("SET {}\n", 8465 + 32 * axis)).collect::<Vec<_>>().concat();
-    let setup: String = loops.chain(jogging).collect();
-    let text = MOVING.replace("PROGRAM\n", &format!("PROGRAM\n{drives}{start}"));
-    let world = (0..16).map(|axis| {
+    let slaves = joined(&|axis, name| format!("ATTACH SLAVE{axis} AXIS{axis} \"{name}\"\n"));
+    let drives = joined(&|_, name| format!("{name} "));
+    let forth = joined(&|axis, name| format!("{name}/{} ", axis + 1));
+    let back = joined(&|axis, name| format!("{name}/-{} ", axis + 1));
+    let profile = "ACC 500 DEC 500 STP 0 VEL 50";
+    let text = format!(
+        "{loops}PROG0\nATTACH MASTER0\n{slaves}{profile}\nPROGRAM\nDRIVE ON {drives}\n_Again\n{forth}\n{back}\nGOTO Again\nENDP\n"
+    );
+    let world = joined(&|axis, _| {
         format!(
             "[axis.{axis}]\nplant = {{ kind = \"motor\", inertia = 2e-5, torque_constant = 0.157, lines = 4000, \
              viscous_friction = 4e-4, coulomb_friction = 0.001 }}\nmarker = {{ every = 1 }}\n\
              switches = [{{ input = {axis}, from = 5, to = 6 }}]\n"
         )
     });
-    (format!("{setup}{text}"), world.collect())
+    (text, world)
 }
 
 /// Waits, mostly.

@@ -1,6 +1,7 @@
 //! A servo period of the mechanics.
 
 use acrc_catalog::{Law, law};
+use acrc_motion::axis::Registers;
 use acrc_motion::servo::{Drive, Plant, ServoInputs};
 use acrc_vm::Value;
 
@@ -113,14 +114,15 @@ impl Machine {
             let _ = self.registers.set(output, Form::Single, &Value::Double(mechanism.volts));
         }
         self.sense(axis);
-        self.watch_error(axis);
+        self.watch_error(axis, &registers);
     }
 
     /// Brings the flags of the following error in line, and lets an error in excess do what the axis is set up for.
-    fn watch_error(&mut self, axis: u8) {
-        let registers = self.registers_of(axis);
+    fn watch_error(&mut self, axis: u8, setpoints: &Registers) {
+        let scale = self.axes[usize::from(axis)].pulses_per_unit;
         let Some(mechanism) = self.mechanics.of_mut(axis) else { return };
-        let now = mechanism.bands.flags(registers.following_error(), mechanism.volts, registers.primary_setpoint());
+        let error = mechanism.actual().map_or(0.0, |actual| setpoints.secondary_setpoint() - actual / scale);
+        let now = mechanism.bands.flags(error, mechanism.volts, setpoints.primary_setpoint());
         let before = (mechanism.in_position, mechanism.error_allowed);
         (mechanism.in_position, mechanism.error_allowed) = (now.in_position, now.error_allowed);
         if before.0 != now.in_position {
