@@ -33,9 +33,9 @@ pub fn real(text: &str) -> Option<Node> {
 /// operator because `INH -0` waits for flag 0 to clear.
 pub fn negate(node: Node) -> Node {
     match node {
-        Node::Long(i32::MIN) => Node::Double(-f64::from(i32::MIN)),
         Node::Double(value) if value == -f64::from(i32::MIN) => Node::Long(i32::MIN),
-        Node::Long(value) if value != 0 => Node::Long(-value),
+        // Longs wrap, here as at run time.
+        Node::Long(value) if value != 0 => Node::Long(value.wrapping_neg()),
         Node::Single(value) => Node::Single(-value),
         Node::Double(value) => Node::Double(-value),
         other => Node::Unary { op: UnaryOperator::Minus, operand: Box::new(other), parens: 0 },
