@@ -21,6 +21,9 @@ pub enum FaultKind {
         /// What was computed.
         operation: &'static str,
     },
+    /// A number beyond the range of the 32-bit variable that is to hold it.
+    #[error("{0} is beyond the range of 32-bit floating point numbers")]
+    NotSingle(f64),
     /// An argument that a function has no result for.
     #[error("{function} has no result for {argument}")]
     Domain {

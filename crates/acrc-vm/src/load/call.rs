@@ -19,8 +19,8 @@ impl Loader<'_> {
             self.doubt(info.name, Doubt::Existence);
         }
         if !(usize::from(info.min_args)..=usize::from(info.max_args)).contains(&arguments.len()) {
-            let count = arguments.len();
-            self.raise(FaultKind::Argument(format!("{} does not take {count} arguments", info.name).into()));
+            let takes = takes(info.min_args, info.max_args);
+            self.raise(FaultKind::Argument(format!("{} takes {takes}, not {}", info.name, arguments.len()).into()));
             return Ok(Place::LongConst(0));
         }
         if let Some(function) = TextFunction::from_id(id) {
@@ -133,5 +133,14 @@ impl Loader<'_> {
         self.raise(FaultKind::UnknownFunction(name));
         let to = self.value_slot()?;
         Ok(Place::Text(to))
+    }
+}
+
+/// How many arguments a function takes.
+fn takes(least: u8, most: u8) -> String {
+    match (least, most) {
+        (1, 1) => "1 argument".to_owned(),
+        _ if least == most => format!("{most} arguments"),
+        _ => format!("{least} to {most} arguments"),
     }
 }

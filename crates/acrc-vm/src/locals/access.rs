@@ -136,5 +136,5 @@ pub(crate) fn to_single(value: &Value) -> Result<f32, FaultKind> {
 #[inline]
 pub(crate) fn round_to_single(value: f64) -> Result<f32, FaultKind> {
     let single = value as f32;
-    if single.is_finite() { Ok(single) } else { Err(FaultKind::NotFinite { operation: "storing 32 bits" }) }
+    if single.is_finite() { Ok(single) } else { Err(FaultKind::NotSingle(value)) }
 }
