@@ -6,7 +6,7 @@ use acrc_image::{Node, negate};
 use acrc_syntax::ast::{Argument, Axis, BitArgument, Object, Target};
 
 use crate::encoder::Encoder;
-use crate::error::CompileErrorKind;
+use crate::error::{CompileErrorKind, LINE_NUMBERS};
 
 impl Encoder<'_> {
     /// One argument.
@@ -80,7 +80,7 @@ impl Encoder<'_> {
     pub(crate) fn line_number(&mut self, number: u32, span: Span) -> Node {
         match i32::try_from(number) {
             Ok(number) => Node::Long(number),
-            Err(_) => self.too_large(span, "line numbers go up to 2147483647"),
+            Err(_) => self.too_large(span, LINE_NUMBERS),
         }
     }
 }

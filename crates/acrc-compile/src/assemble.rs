@@ -83,7 +83,7 @@ impl<'a> Assembler<'a> {
         let mut first = own_line.then_some(Separator::Line);
         for (index, statement) in statements(source, range) {
             if let (Some(separator), Some(number)) = (first, number) {
-                let items = [encoder.line_number(number, statement.span).into()];
+                let items = [encoder.line_number(number, number_span(source, index).unwrap_or(statement.span)).into()];
                 if let Some(address) = encoder.push(unit, statement.span, separator, command::LINE_NUMBER, &items) {
                     unit.locate(address, location(source, file, index, statement.span));
                 }
@@ -125,6 +125,12 @@ impl<'a> Assembler<'a> {
 fn statements<'a>(source: &SourceUnit<'a>, range: &Range<u32>) -> impl Iterator<Item = (u32, &'a Statement)> + use<'a> {
     let statements = source.tree.statements().get(range.start as usize..range.end as usize).unwrap_or_default();
     (range.start..).zip(statements)
+}
+
+/// The number in front of the line that a statement begins.
+fn number_span(source: &SourceUnit<'_>, statement: u32) -> Option<Span> {
+    let line = source.tree.lines().get(source.tree.line_of(statement) as usize)?;
+    line.number.map(|number| number.span)
 }
 
 /// The statements that a piece takes from a file.

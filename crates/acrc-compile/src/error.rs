@@ -4,6 +4,9 @@ use acrc_diagnostics::Span;
 use acrc_image::EncodeError;
 use thiserror::Error;
 
+/// What may stand in front of a line.
+pub const LINE_NUMBERS: &str = "line numbers go up to 2147483647";
+
 /// One reason, and where.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{kind}")]

@@ -23,7 +23,7 @@ mod text;
 
 pub use aliases::read_alias;
 pub use diagnostics::codes;
-pub use error::{CompileError, CompileErrorKind};
+pub use error::{CompileError, CompileErrorKind, LINE_NUMBERS};
 pub use project::{SourceUnit, compile, compile_stored};
 pub use scope::{NoNames, Scope, Tables};
 pub use statement::{encode_statement, encode_statements, stored_bytes};

@@ -6,7 +6,7 @@ use std::ops::Range;
 use acrc_catalog::command;
 use acrc_diagnostics::Span;
 use acrc_image::UnitName;
-use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
+use acrc_syntax::ast::{Argument, Expr, ExprKind, LineNumber, Statement, StatementKind};
 use acrc_syntax::units::{self, Level, Section, SectionKind};
 
 use crate::error::{CompileError, CompileErrorKind};
@@ -128,7 +128,11 @@ impl Planner<'_> {
     fn entered(&mut self, file: usize, source: &SourceUnit<'_>, section: &Section) {
         self.install_changed();
         let Some(name) = self.unit_name(file, source, section) else { return };
-        self.texts.insert(name, stored_text(file, source, &section.statements));
+        let mut text = StoredText::default();
+        for (number, statements) in lines(source, &section.statements) {
+            text.enter(StoredLine { number, file, statements });
+        }
+        self.texts.insert(name, text);
         self.install(name, file, section.opener);
     }
 
@@ -140,8 +144,9 @@ impl Planner<'_> {
         for (number, statements) in lines(source, &section.statements) {
             let line = StoredLine { number, file, statements };
             match number {
-                Some(number) => text.insert(number, line),
-                None => text.append(line),
+                Some(number) if number <= LineNumber::MAX => text.insert(number, line),
+                // A number that cannot be stored has no place either; each of them is reported when it is encoded.
+                _ => text.append(line),
             }
         }
     }
@@ -196,18 +201,10 @@ impl Planner<'_> {
     }
 }
 
-/// The lines of a file that is a stored text as a whole.
+/// The lines of a text that is stored already, in their order.
 pub(crate) fn whole(file: usize, source: &SourceUnit<'_>) -> Vec<Part> {
-    let text = stored_text(file, source, &(0..source.tree.statements().len() as u32));
-    text.lines().cloned().map(Part::Line).collect()
-}
-
-fn stored_text(file: usize, source: &SourceUnit<'_>, range: &Range<u32>) -> StoredText {
-    let mut text = StoredText::default();
-    for (number, statements) in lines(source, range) {
-        text.append(StoredLine { number, file, statements });
-    }
-    text
+    let lines = lines(source, &(0..source.tree.statements().len() as u32));
+    lines.map(|(number, statements)| Part::Line(StoredLine { number, file, statements })).collect()
 }
 
 fn level_name(level: Level) -> Option<UnitName> {

@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use acrc_image::list::hidden_line_number;
+use acrc_syntax::ast::LineNumber;
 
 /// A line of a stored text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +30,23 @@ impl StoredText {
         self.lines.iter().map(|(_, line)| line)
     }
 
-    /// Adds a line at the end, as `PROGRAM` stores it.
+    /// Adds a line between `PROGRAM` and `ENDP`: at the end, but a number that does not rise puts its line before the first line with a higher
+    /// written number, or in the place of the one with the same. Hidden numbers do not count: nobody wrote them.
+    pub(crate) fn enter(&mut self, line: StoredLine) {
+        let Some(number) = line.number.filter(|number| *number <= LineNumber::MAX) else { return self.append(line) };
+        let below = self.lines.iter().rposition(|(_, other)| other.number.is_some_and(|other| other < number));
+        let from = below.map_or(0, |below| below + 1);
+        let next = self.lines.iter().enumerate().skip(from).find_map(|(place, (_, line))| Some((place, line.number?)));
+        match next {
+            None => self.append(line),
+            Some((place, other)) => {
+                let end = place + usize::from(other == number);
+                self.lines.splice(place..end, [(number, line)]);
+            }
+        }
+    }
+
+    /// Adds a line at the end.
     pub(crate) fn append(&mut self, line: StoredLine) {
         let number = line.number.unwrap_or_else(|| hidden_line_number(self.last()));
         self.lines.push((number, line));

@@ -83,3 +83,8 @@ fn a_terminal_encodes_statements_with_names_of_its_own() {
     let errors = encode_statements(&tree, source, 0..2, &NoNames).expect_err("nothing is known");
     assert_eq!(errors.len(), 2);
 }
+
+#[test]
+fn numbers_of_lines() {
+    insta::assert_snapshot!(mistakes("4294967296 PRINT 1\n  4294967297 PRINT 2\n", Level::Program(0), false));
+}

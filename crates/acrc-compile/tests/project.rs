@@ -87,6 +87,18 @@ fn a_numbered_line_goes_between_the_hidden_numbers_of_entered_lines() {
 }
 
 #[test]
+fn numbers_between_program_and_endp_order_the_lines_that_have_them() {
+    let text = |lines: &str| {
+        let image = project(&[("lines.8K", Level::System, &format!("PROG0\nPROGRAM\n{lines}\nENDP\n"))]);
+        listing(image.programs.last().expect("a stored text"), &image)
+    };
+    assert_eq!(text("10 VEL 1\n5 VEL 2\n10 VEL 3"), "5 VEL 2\n10 VEL 3\n");
+    // A number that is only there for `GOTO` moves nothing, whatever lines stand above it.
+    assert_eq!(text("VEL 1\nVEL 2\n10 VEL 3\nGOTO 10"), "VEL 1\nVEL 2\n10 VEL 3\nGOTO 10\n");
+    assert_eq!(text("20 VEL 2\nVEL 3\n30 VEL 4\n25 VEL 5\nVEL 6"), "20 VEL 2\nVEL 3\n25 VEL 5\n30 VEL 4\nVEL 6\n");
+}
+
+#[test]
 fn statements_lead_back_to_their_lines() {
     let text = "SYS\nPROG0\nPROGRAM\nVEL 5 : X1\n\nEND\nENDP\n";
     let image = project(&[("all.8K", Level::System, text)]);

@@ -25,10 +25,15 @@ pub struct Line {
 /// A line number written in the source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LineNumber {
-    /// The number.
+    /// The number; one that 32 bits do not hold is the largest that they do.
     pub value: u32,
     /// Where it stands.
     pub span: Span,
+}
+
+impl LineNumber {
+    /// The highest number that a line can be stored with: the stored form has 32 bits with a sign.
+    pub const MAX: u32 = i32::MAX as u32;
 }
 
 /// One statement.

@@ -19,7 +19,7 @@ use acrc_syntax::units::Level;
 use thiserror::Error;
 
 /// The largest line number that a stored program holds.
-pub const MAX_LINE_NUMBER: u32 = i32::MAX as u32;
+pub const MAX_LINE_NUMBER: u32 = acrc_syntax::ast::LineNumber::MAX;
 
 /// A file of a project.
 #[derive(Clone, Copy, Debug)]
