@@ -24,6 +24,7 @@
 mod named;
 
 mod address;
+mod alias_name;
 mod commands;
 mod explain;
 mod fields;
@@ -40,6 +41,7 @@ mod vocabulary;
 mod words;
 
 pub use address::AddressLaw;
+pub use alias_name::{AliasNameError, check_alias_name};
 pub use commands::{Argument, Command, CommandId, all_commands};
 pub use explain::{Entry, Explanation, explain, nearest_command};
 pub use fields::Law;

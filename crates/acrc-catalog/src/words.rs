@@ -36,6 +36,15 @@ impl Word {
         daughter: false,
     };
 
+    /// Whether a statement or an operand can begin with it, so that an axis of this name would never be reached.
+    pub fn names_something(&self) -> bool {
+        self.command.is_some()
+            || self.object.is_some()
+            || self.function.is_some()
+            || self.operand.is_some()
+            || self.operator.is_some()
+    }
+
     /// Whether it is read as itself wherever it stands. What is only a daughter, such as HOME, is one behind its parent
     /// only.
     pub fn stands_alone(&self) -> bool {

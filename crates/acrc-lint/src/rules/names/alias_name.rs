@@ -1,5 +1,6 @@
 //! `ACR212`: an alias whose name breaks the rules for names.
 
+use acrc_catalog::{AliasNameError, check_alias_name};
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Statement, StatementKind};
 
@@ -23,9 +24,6 @@ pub(crate) static RULE: Rule = Rule {
     checks: &[Check::Statement(check)],
 };
 
-/// The longest name in letters.
-const LONGEST: usize = 24;
-
 fn check(context: &mut Context<'_>, statement: &Statement) {
     let StatementKind::Define(define) = &statement.kind else { return };
     if let Some(diagnostic) = judge(context, define.name) {
@@ -35,27 +33,12 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
 
 fn judge(context: &Context<'_>, span: Span) -> Option<Diagnostic> {
     let name = context.slice(span);
-    if let Some(odd) = name.chars().find(|c| !c.is_ascii_alphabetic()) {
-        let diagnostic = RULE.at(span, format!("the alias `{name}` has a `{odd}`; only letters may be in it"));
-        // A later operating system of the ACR7000 and IPA takes digits.
-        let settled = !(odd.is_ascii_digit() && takes_digits(context.model().name));
-        return settled.then_some(diagnostic);
-    }
-    if name.len() > LONGEST {
-        let letters = name.len();
-        return Some(
-            RULE.at(span, format!("the alias `{name}` has {letters} letters; at most {LONGEST} are possible")),
-        );
-    }
-    let word = acrc_catalog::word(name)?;
-    word.stands_alone().then(|| {
-        let message = format!("the alias `{name}` is a word of the language");
-        RULE.at(span, message).with_help("it reads as that word: take another name")
+    let problem = check_alias_name(name, context.model()).err()?;
+    let finding = RULE.at(span, format!("the alias `{name}` {problem}"));
+    Some(match problem {
+        AliasNameError::Word => finding.with_help("it reads as that word: take another name"),
+        AliasNameError::Character(_) | AliasNameError::Letters(_) => finding,
     })
-}
-
-fn takes_digits(model: &str) -> bool {
-    model.starts_with("ACR7") || model.starts_with("IPA")
 }
 
 #[cfg(test)]

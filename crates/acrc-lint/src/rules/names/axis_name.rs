@@ -63,12 +63,7 @@ fn judge(span: Span, name: &str) -> Option<Diagnostic> {
         return Some(RULE.at(span, format!("`{name}` can't be an axis name: it is {meaning}")).with_help(help));
     }
     let word = acrc_catalog::word(&upper)?;
-    let is_taken = word.command.is_some()
-        || word.object.is_some()
-        || word.function.is_some()
-        || word.operand.is_some()
-        || word.operator.is_some();
-    is_taken.then(|| {
+    word.names_something().then(|| {
         RULE.at(span, format!("the axis name `{name}` is a word of the language"))
             .with_help("moves of this axis would read as that word: take another name")
             .unconfirmed()
