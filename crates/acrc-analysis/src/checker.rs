@@ -4,12 +4,13 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 
 use acrc_catalog::Model;
-use acrc_diagnostics::Diagnostic;
+use acrc_diagnostics::{Diagnostic, Span};
 use acrc_syntax::Tree;
+use acrc_syntax::ast::StatementKind;
 
 use crate::memory::{MemorySites, MemoryView};
 use crate::project::LintConfig;
-use crate::{Db, Environment, FileIndex, Machine, Project, Usage, query};
+use crate::{Db, Environment, FileIndex, Machine, Project, SourceFile, Usage, query};
 
 /// Everything that a check of one file may look at. It may look at nothing else: what it finds is remembered until
 /// one of these changes.
@@ -60,6 +61,19 @@ impl<'a> Questions<'a> {
     /// Whether some code of the project may set this user flag.
     pub fn may_set_flag(&self, flag: u32) -> bool {
         query::set_flags(self.db, self.project).may_set(flag)
+    }
+
+    /// Where the project defines an alias: trees and texts of files, with the statements in them.
+    pub fn definitions(&self, alias: &str) -> Vec<(&'a Tree, &'a str, Span)> {
+        let of_file = |file: &SourceFile| {
+            let (tree, text): (&'a Tree, &'a str) = (query::parse(self.db, *file), file.text(self.db));
+            let defined = tree.statements().iter().filter_map(move |statement| match &statement.kind {
+                StatementKind::Define(define) if text.get(define.name.range()) == Some(alias) => Some(define.name),
+                _ => None,
+            });
+            defined.map(move |name| (tree, text, name))
+        };
+        self.project.files(self.db).iter().flat_map(of_file).collect()
     }
 
     /// The name of a file by its place in the project; empty when there is none.

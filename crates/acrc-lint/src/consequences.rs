@@ -13,6 +13,7 @@ use acrc_syntax::ast::{Separator, Statement, StatementKind};
 
 use crate::rules::names::{alias_name, axis_name};
 use crate::settings::Settings;
+use crate::suppress;
 
 /// The stretches of a file in which rules are not heard.
 pub(crate) struct Consequences {
@@ -78,7 +79,12 @@ fn holds(spans: &[Span], inner: Span) -> bool {
 
 /// The statements that use an alias which is a word of the language.
 fn misread(file: &FileContext<'_>) -> Vec<Span> {
-    let words = &file.environment.words;
+    // What a comment keeps from being reported where it is defined is reported where it is used: the text can't be compiled.
+    let is_reported = |word: &&Name| {
+        let definitions = file.questions.definitions(word);
+        !definitions.iter().all(|(tree, text, name)| suppress::is_allowed(tree, text, *name, &alias_name::RULE.doc))
+    };
+    let words: Vec<&Name> = file.environment.words.iter().filter(is_reported).collect();
     if words.is_empty() {
         return Vec::new();
     }
@@ -87,7 +93,8 @@ fn misread(file: &FileContext<'_>) -> Vec<Span> {
     };
     let is_used = |span: Span| {
         let text = file.text.get(span.range()).unwrap_or_default();
-        text.split(|c: char| !c.is_ascii_alphanumeric()).any(|written| words.iter().any(|word| **word == *written))
+        text.split(|c: char| !c.is_ascii_alphanumeric())
+            .any(|written| words.iter().any(|word| word.as_ref() == written))
     };
     file.tree
         .statements()
@@ -178,6 +185,20 @@ mod tests {
         let commands = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROGRAM\nMODE = 1\nENDP\n";
         let found = lint(&[("Defines.8K", defines), ("Prog0.8K", commands)]);
         assert_eq!(codes_in(commands, &found[1]), [(5, "ACR010")], "an alias is written in one case only");
+    }
+
+    #[test]
+    fn an_alias_that_is_a_word_and_allowed_to_be_is_reported_where_it_is_used() {
+        let program = "PROG0\nPROGRAM\nMode = 1\nENDP\n";
+        for defines in ["' acrc: allow(ACR212)\n#DEFINE Mode P5\n", "' acrc: allow-file(alias-name)\n#DEFINE Mode P5\n"]
+        {
+            let found = lint(&[("Defines.8K", defines), ("Prog0.8K", program)]);
+            assert_eq!(codes_in(defines, &found[0]), []);
+            assert_eq!(codes_in(program, &found[1]), [(3, "ACR010")]);
+        }
+        let once = "' acrc: allow(ACR212)\n#DEFINE Mode P5\n#DEFINE Mode P5\n";
+        let found = lint(&[("Defines.8K", once), ("Prog0.8K", program)]);
+        assert_eq!((codes_in(once, &found[0]), codes_in(program, &found[1])), (vec![(3, "ACR212")], vec![]));
     }
 
     #[test]

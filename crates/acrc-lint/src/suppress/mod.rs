@@ -18,7 +18,7 @@ pub(crate) use self::comment::Mistake;
 use self::comment::{Allow, Scope};
 use crate::consequences::Consequences;
 use crate::registry::RULES;
-use crate::rule::Group;
+use crate::rule::{Group, RuleDoc};
 use crate::rules::suppressions::{unknown_suppression, unused_suppression};
 use crate::settings::{Settings, is_locked, is_refused, place_of};
 
@@ -75,17 +75,16 @@ pub(crate) fn apply(
     found: &mut Vec<Diagnostic>,
 ) {
     let mut said = Vec::new();
-    let suppressions = collect(file, &mut said);
+    let suppressions = collect(file.tree, file.text, &mut said);
     if suppressions.is_empty() && said.is_empty() {
         return;
     }
-    let mut uses = resolve(file, &suppressions, &mut said);
+    let mut uses = resolve(file.text, &suppressions, &mut said);
     let index = Index::new(&suppressions, &uses);
-    let starts: Vec<u32> = file.tree.lines().iter().map(|line| line.span.start).collect();
+    let starts = line_starts(file.tree);
     found.retain(|finding| {
         let Some(rule) = place_of(finding.code.id).filter(|rule| !is_refused(*rule, finding)) else { return true };
-        let line = starts.partition_point(|start| *start <= finding.span.start).saturating_sub(1);
-        let hit = index.find(rule, line).and_then(|hit| uses.get_mut(hit));
+        let hit = index.find(rule, line_of(&starts, finding.span)).and_then(|hit| uses.get_mut(hit));
         hit.map(|hit| hit.used = true).is_none()
     });
     let judged: Vec<Use> = uses
@@ -101,22 +100,39 @@ pub(crate) fn apply(
     found.append(&mut said);
 }
 
+/// Whether a comment of a text suppresses what a rule finds at a place.
+pub(crate) fn is_allowed(tree: &Tree, text: &str, place: Span, doc: &RuleDoc) -> bool {
+    let suppressions = collect(tree, text, &mut Vec::new());
+    let uses = resolve(text, &suppressions, &mut Vec::new());
+    let line = line_of(&line_starts(tree), place);
+    place_of(doc.code.id).is_some_and(|rule| Index::new(&suppressions, &uses).find(rule, line).is_some())
+}
+
+fn line_starts(tree: &Tree) -> Vec<u32> {
+    tree.lines().iter().map(|line| line.span.start).collect()
+}
+
+/// The line on which a finding begins, counted from 0.
+fn line_of(starts: &[u32], place: Span) -> usize {
+    starts.partition_point(|start| *start <= place.start).saturating_sub(1)
+}
+
 /// The comments of a file, in order.
-fn collect(file: &FileContext<'_>, said: &mut Vec<Diagnostic>) -> Vec<Suppression> {
-    let lines = file.tree.lines();
+fn collect(tree: &Tree, text: &str, said: &mut Vec<Diagnostic>) -> Vec<Suppression> {
+    let lines = tree.lines();
     let mut suppressions: Vec<Suppression> = Vec::new();
     // The first of those that still wait for the line that they are about.
     let mut waiting = 0;
     for (at, line) in lines.iter().enumerate() {
-        let statements = statements_of(file.tree, line);
+        let statements = statements_of(tree, line);
         if statements.iter().any(|statement| !matches!(statement.kind, StatementKind::Remark(_))) {
             for earlier in suppressions.iter_mut().skip(waiting).filter(|earlier| earlier.site.alone) {
                 earlier.lines = *earlier.lines.start()..=at;
             }
             waiting = suppressions.len();
         }
-        let Some((site, body)) = site(file.text, line, at, statements) else { continue };
-        let (allow, mistake) = comment::read(file.text.get(body.range()).unwrap_or_default(), body.start, site.alone);
+        let Some((site, body)) = site(text, line, at, statements) else { continue };
+        let (allow, mistake) = comment::read(text.get(body.range()).unwrap_or_default(), body.start, site.alone);
         said.extend(mistake.map(unknown_suppression::mistake));
         suppressions.extend(allow.map(|allow| Suppression { allow, site, lines: at..=at }));
     }
@@ -142,12 +158,12 @@ fn statements_of<'t>(tree: &'t Tree, line: &Line) -> &'t [Statement] {
 }
 
 /// Finds the rules that the comments name.
-fn resolve(file: &FileContext<'_>, suppressions: &[Suppression], said: &mut Vec<Diagnostic>) -> Vec<Use> {
+fn resolve(text: &str, suppressions: &[Suppression], said: &mut Vec<Diagnostic>) -> Vec<Use> {
     let mut uses = Vec::new();
     let mut unknown = 0;
     for (comment, suppression) in suppressions.iter().enumerate() {
         for (name, span) in suppression.allow.names.iter().enumerate() {
-            let written = file.text.get(span.range()).unwrap_or_default();
+            let written = text.get(span.range()).unwrap_or_default();
             match rule_named(written) {
                 Some(rule) if RULES.get(rule).is_some_and(|found| is_locked(&found.doc)) => {
                     said.push(unknown_suppression::locked(*span, written));
