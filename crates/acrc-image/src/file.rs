@@ -10,7 +10,8 @@ use crate::image::{Alias, Image, VERSION};
 use crate::node::Role;
 use crate::unit::{Unit, UnitName};
 
-const MAGIC: &[u8; 4] = b"ACRX";
+/// The bytes that every image begins with.
+pub const MAGIC: &[u8; 4] = b"ACRX";
 /// Where the checksum stands; it covers every other byte.
 const CHECKSUM: std::ops::Range<usize> = 12..16;
 /// Length of the header.

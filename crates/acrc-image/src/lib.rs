@@ -38,6 +38,7 @@ pub use cost::TextCost;
 pub use debug::{DebugEntry, DebugMap, Location, Span};
 pub use encode::{UnitBuilder, encode};
 pub use error::{EncodeError, ImageError, Problem};
+pub use file::MAGIC;
 pub use image::{Alias, Image, VERSION};
 pub use instruction::{Instruction, Item, Mark, Separator};
 pub use name::{AxisName, InvalidAxisName};

@@ -35,6 +35,14 @@ pub enum LoadError {
         /// The project description.
         config: Utf8PathBuf,
     },
+    /// A compiled image.
+    #[error(
+        "`{path}` is an image, and no project: expected a program text (*.8K) or a folder of them; `acrc list` shows what is in an image"
+    )]
+    Image {
+        /// The file.
+        path: Utf8PathBuf,
+    },
     /// The bytes are no text.
     #[error("`{path}` can't be read as a program")]
     Decode {
@@ -153,6 +161,7 @@ impl LoadError {
     pub fn path(&self) -> &Utf8Path {
         match self {
             Self::Missing { path }
+            | Self::Image { path }
             | Self::Decode { path, .. }
             | Self::TooLarge { path, .. }
             | Self::NotAFile { path }

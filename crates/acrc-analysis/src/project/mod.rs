@@ -124,6 +124,9 @@ fn from_paths(
         .into_iter()
         .map(|(role, path)| {
             let bytes = read(files, &path)?;
+            if bytes.starts_with(acrc_image::MAGIC) {
+                return Err(LoadError::Image { path });
+            }
             let source =
                 SourceText::decode(&bytes).map_err(|source| LoadError::Decode { path: path.clone(), source })?;
             Ok(LoadedFile { path, role, source })
