@@ -5,6 +5,7 @@ use acrc_vm::{Arg, Call, Outcome};
 
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::machine::Machine;
 use crate::plc::{Join, Ladder};
 
 pub(super) const COMMANDS: &[Entry] = &[
@@ -116,8 +117,10 @@ impl Context<'_> {
         self.ladder.as_deref_mut().ok_or(ControllerError::WrongLevel { command, level })
     }
 
-    /// Gives a flag the state of a rung. A flag that has it already is left alone, which is the same and wakes nobody.
+    /// Gives a flag the state of a rung. A flag that has it already is left alone, which is the same and wakes nobody; one that cannot be driven
+    /// is a mistake whatever its state.
     fn drive_flag(&mut self, number: i64, state: bool) -> Result<(), ControllerError> {
-        if self.read_flag(number)? == state { Ok(()) } else { self.write_flag(number, state) }
+        let settled = self.read_flag(number)? == state && !Machine::is_read_only(number);
+        if settled { Ok(()) } else { self.write_flag(number, state) }
     }
 }

@@ -89,6 +89,11 @@ impl Machine {
         PLAIN_FLAGS.iter().any(|flags| flags.contains(&number))
     }
 
+    /// Whether a flag can only be read.
+    pub(crate) fn is_read_only(number: i64) -> bool {
+        u32::try_from(number).is_ok_and(|number| map().flag(number).effect == Effect::ReadOnly)
+    }
+
     /// Whether giving a flag the state that it has does nothing.
     pub(crate) fn is_idle_write(number: i64, state: bool) -> bool {
         u32::try_from(number).is_ok_and(|number| map().flag(number).effect.is_idle(state))

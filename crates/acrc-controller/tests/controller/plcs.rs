@@ -179,3 +179,12 @@ fn what_programs_start_is_followed() {
         assert_eq!(refused(&format!("{all}\n{text}"), &[], &[]), [("PROG2".to_owned(), 14)], "{all}");
     }
 }
+
+#[test]
+fn an_input_cannot_be_driven_whatever_its_rung_says() {
+    for rung in ["LD 128", "LD NOT 128"] {
+        let ran = beside(&format!("{rung}\nOUT 0"), "DWL 0.1").run();
+        assert_eq!(ran.record.faults[0].message, "BIT0 (Onboard input) is read-only", "{rung}");
+        assert_eq!(plc(&ran), State::Fault, "{rung}");
+    }
+}
