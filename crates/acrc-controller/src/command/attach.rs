@@ -19,10 +19,21 @@ pub(super) const COMMANDS: &[Entry] = &[
     (command::DETACH_ALL, Action::Run(detach_all)),
 ];
 
-/// Encoder and output matter to a motor that the world describes; `ATTACH` reports what was said.
+/// The inputs and outputs that the guide lists for `ATTACH AXIS`: `ENC0` to `ENC7`, `DAC0` to `DAC7` and so on, as many as an axis each needs.
+const LISTED: u8 = 8;
+/// Encoders beyond one an axis: the guide's axis with two feedbacks has `ENC9` on a controller of eight axes.
+const SPARE_ENCODERS: u8 = 2;
+
+/// Encoder and output matter to a motor that the world describes; all of them must exist, and `ATTACH` reports what was said.
 fn attach_axis(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let index = object(call, 0, ObjectKind::Axis)?;
     let axis = context.axis(index)?;
+    for argument in call.arguments.iter().skip(1) {
+        if let Arg::Object { kind, index: Some(index), .. } = argument {
+            let spare = if *kind == ObjectKind::Encoder { SPARE_ENCODERS } else { 0 };
+            Machine::object(kind.name(), i64::from(*index), context.machine.model.axes.max(LISTED) + spare)?;
+        }
+    }
     let signals: Vec<String> = call.arguments.iter().skip(1).filter_map(hardware_word).collect();
     context.machine.axes[usize::from(axis)].signals = Some(signals.join(" "));
     context.machine.motion.touch();
@@ -104,7 +115,8 @@ impl Machine {
     }
 }
 
-/// The name of `ATTACH SLAVE`, by the rules of the guide: one to four letters, not `P`, not `F`.
+/// The name of `ATTACH SLAVE`, by the rules of the guide: one to four letters, not `P`, not `F`. A word of the language would never be read as
+/// the axis.
 fn slave_name(call: &Call) -> Result<AxisName, ControllerError> {
     let command = call.command.info().name;
     let Some(Arg::Value(Value::Text(text), _)) = call.arguments.get(2) else {
@@ -115,6 +127,9 @@ fn slave_name(call: &Call) -> Result<AxisName, ControllerError> {
         |why: &str| ControllerError::BadValue { command, problem: format!("`{text}` is no axis name: {why}") };
     if ["P", "F"].iter().any(|reserved| text.eq_ignore_ascii_case(reserved)) {
         return Err(refused("P and F are reserved"));
+    }
+    if acrc_catalog::word(&text).is_some_and(|word| word.names_something()) {
+        return Err(refused("it is a word of the language"));
     }
     text.parse::<AxisName>().map_err(|_| refused("it takes one to four letters"))
 }
