@@ -7,11 +7,22 @@ use acrc_vm::{Call, Outcome};
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
 
-pub(super) const COMMANDS: &[Entry] =
-    &[(command::MBUF_ON, Action::Run(switch)), (command::MBUF_OFF, Action::Run(switch))];
+pub(super) const COMMANDS: &[Entry] = &[
+    (command::MBUF, Action::Run(report)),
+    (command::MBUF_ON, Action::Run(switch)),
+    (command::MBUF_OFF, Action::Run(switch)),
+];
 
 /// Moves that may wait behind the running one without a move buffer.
 pub(crate) const UNBUFFERED: u32 = 1;
+
+/// `MBUF`: the command that makes what it reports. How many moves the buffer holds `DIM MBUF` tells.
+fn report(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
+    let master = context.master(call)?;
+    let switched = if context.machine.masters[master].buffered { command::MBUF_ON } else { command::MBUF_OFF };
+    context.report_text(switched.info().name);
+    Ok(Outcome::Done)
+}
 
 /// `MBUF ON`, `MBUF OFF`. Moves that wait already are executed whatever is switched.
 fn switch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {

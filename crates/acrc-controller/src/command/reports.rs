@@ -106,7 +106,8 @@ fn aliases(context: &mut Context) {
 fn help(context: &mut Context) {
     let at: fn(Levels) -> bool = match context.origin().level {
         Level::System => Levels::sys,
-        Level::Program(_) => Levels::prog,
+        // A program prompt takes the commands of the system too.
+        Level::Program(_) => |levels| levels.prog() || levels.sys(),
         Level::Plc(_) => Levels::plc,
     };
     // Labels, assignments and moves have no word of their own.
