@@ -4,6 +4,7 @@
 //! its own. A name that is defined again gets another entry, and programs that are stored already keep the meaning they were stored with.
 
 use acrc_catalog::memory::{ALIASES, SystemBlock};
+use acrc_catalog::{Model, check_alias_name};
 use acrc_compile::{Scope, Tables};
 use acrc_image::Alias;
 
@@ -51,14 +52,19 @@ impl Aliases {
 
     /// The aliases that can be used, in the order of their definitions.
     pub(crate) fn known(&self) -> impl Iterator<Item = &Alias> {
-        let entries = self.entries.iter().enumerate();
-        entries
-            .filter(|(place, alias)| self.names.alias(&alias.name).map(usize::from) == Some(*place))
-            .map(|(_, alias)| alias)
+        self.known_places().filter_map(|place| self.entries.get(usize::from(place)))
     }
 
-    /// `#DEFINE` at a prompt: needs room in the table that `DIM DEF` gives.
-    pub(crate) fn define(&mut self, alias: Alias, memory: &SystemMemory) -> Result<(), ControllerError> {
+    /// The places of the aliases that can be used, rising.
+    pub(crate) fn known_places(&self) -> impl Iterator<Item = u16> {
+        let entries = (0..).zip(&self.entries);
+        entries.filter(|(place, alias)| self.names.alias(&alias.name) == Some(*place)).map(|(place, _)| place)
+    }
+
+    /// `#DEFINE` at a prompt or in a text that was entered: needs a name that an alias may have, and room in the table that `DIM DEF` gives.
+    pub(crate) fn define(&mut self, alias: Alias, model: &Model, memory: &SystemMemory) -> Result<(), ControllerError> {
+        check_alias_name(&alias.name, model)
+            .map_err(|problem| ControllerError::AliasName { name: alias.name.clone(), problem })?;
         if let Some(place) = self.names.alias(&alias.name)
             && self.entries.get(usize::from(place)) == Some(&alias)
         {

@@ -1,6 +1,6 @@
 //! What the controller refuses, with the texts of the controller where they are known (`docs/fidelity.md`, error texts).
 
-use acrc_catalog::{CommandId, MessageId, command};
+use acrc_catalog::{AliasNameError, CommandId, MessageId, command};
 use acrc_image::UnitName;
 use acrc_vm::FaultKind;
 use thiserror::Error;
@@ -67,6 +67,14 @@ pub enum ControllerError {
         needed: u64,
         /// Bytes of its space.
         available: u64,
+    },
+    /// An alias that cannot be called so.
+    #[error("the alias {name} {problem}")]
+    AliasName {
+        /// The name.
+        name: String,
+        /// What is wrong with it.
+        problem: AliasNameError,
     },
     /// An alias without room in the table.
     #[error("there is no room for the alias {name}: DIM DEF({room}) gives {room}")]

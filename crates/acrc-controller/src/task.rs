@@ -21,6 +21,15 @@ impl Task {
         }
     }
 
+    /// What executes a text; `None` for setup code.
+    pub(crate) fn of(name: UnitName) -> Option<Self> {
+        match name {
+            UnitName::Boot => None,
+            UnitName::Program(number) => Some(Self::Program(number)),
+            UnitName::Plc(number) => Some(Self::Plc(number)),
+        }
+    }
+
     /// Its prompt level.
     pub(crate) fn level(self) -> Level {
         match self {

@@ -1,5 +1,7 @@
 //! The same text for another alias table: a controller that keeps programs over a download has one table for old and new ones.
 
+use std::collections::BTreeSet;
+
 use crate::encode::encode;
 use crate::error::{ImageError, Problem};
 use crate::instruction::Instruction;
@@ -7,6 +9,23 @@ use crate::node::Node;
 use crate::unit::Unit;
 
 impl Unit {
+    /// The aliases that the unit refers to, by their places.
+    ///
+    /// # Errors
+    /// As [`Unit::decode`].
+    pub fn aliases(&self) -> Result<BTreeSet<u16>, ImageError> {
+        let instructions = self.decode()?;
+        let mut waiting: Vec<&Node> = instructions.iter().flat_map(|i| i.items.iter().map(|item| &item.node)).collect();
+        let mut aliases = BTreeSet::new();
+        while let Some(node) = waiting.pop() {
+            if let Node::Alias { index, .. } = node {
+                aliases.insert(*index);
+            }
+            waiting.extend(node.children());
+        }
+        Ok(aliases)
+    }
+
     /// The unit with alias `n` replaced by alias `places[n]`. Addresses and places in the source stay.
     ///
     /// # Errors

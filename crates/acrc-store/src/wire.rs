@@ -1,10 +1,12 @@
 //! The TOML of a state. These types belong to the file; the controller's are in [`acrc_controller::nonvolatile`].
 
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{CommandId, Keyword, ObjectKind, OperandClass, all_commands};
 use acrc_controller::nonvolatile::{
     AxisParameters, FlashImage, MasterParameters, Memory, Saved, Setting, SettingValue, Slave, SystemParameters,
+    TypedLine, TypedText,
 };
-use acrc_image::{EncodeError, Image};
+use acrc_image::{EncodeError, Image, UnitName};
 use acrc_motion::MoveSettings;
 use acrc_vm::{Reference, Source, Text, Value};
 use serde::{Deserialize, Serialize};
@@ -32,6 +34,26 @@ struct WireMemory {
     password: Option<String>,
     /// The texts and their aliases: an `.acrx` file, two digits a byte.
     programs: String,
+    /// The texts that have mistakes, as they were typed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    typed: Vec<WireText>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WireText {
+    /// `PROG0`, `PLC0`
+    name: String,
+    lines: Vec<WireLine>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WireLine {
+    number: u32,
+    /// The number was typed.
+    written: bool,
+    text: String,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
@@ -174,6 +196,7 @@ impl WireMemory {
             hardware: memory.hardware.clone(),
             password: memory.password.as_ref().map(|text| hex(text.as_bytes())),
             programs: hex(&image.to_bytes()?),
+            typed: memory.typed.iter().map(WireText::new).collect(),
         })
     }
 
@@ -189,10 +212,28 @@ impl WireMemory {
             blocks: self.blocks.into_iter().map(block).collect::<Result<_, _>>()?,
             aliases: image.aliases,
             programs: image.programs,
+            typed: self.typed.into_iter().map(WireText::read).collect::<Result<_, _>>()?,
             user: self.user,
             hardware: self.hardware,
             password: password.transpose()?.map(|bytes| Text::from(&bytes[..])),
         })
+    }
+}
+
+impl WireText {
+    fn new(text: &TypedText) -> Self {
+        let line = |line: &TypedLine| WireLine { number: line.number, written: line.written, text: line.text.clone() };
+        Self { name: text.name.to_string(), lines: text.lines.iter().map(line).collect() }
+    }
+
+    fn read(self) -> Result<TypedText, String> {
+        let name = match self.name.parse() {
+            Ok(SystemBlock::Program(number)) => UnitName::Program(number),
+            Ok(SystemBlock::Plc(number)) => UnitName::Plc(number),
+            _ => return Err(format!("`{}` is no program", self.name)),
+        };
+        let line = |line: WireLine| TypedLine { number: line.number, written: line.written, text: line.text };
+        Ok(TypedText { name, lines: self.lines.into_iter().map(line).collect() })
     }
 }
 

@@ -183,3 +183,23 @@ fn a_short_program_ends_before_what_is_typed_behind_it() {
     let answer = talk(&bench, &[], typed);
     assert!(answer.ends_with("P00>LRUN\r\none\r\ntwo\r\nP00>?3\r\n3\r\nP00>?4\r\n4\r\nP00>"), "{answer}");
 }
+
+#[test]
+fn a_text_with_mistakes_is_still_there_after_the_power_was_off() {
+    let bench = Bench::new();
+    talk(&bench, &["--state", "kept"], "PROG0\r10 PRINT 1 : GARBAGE GARBAGE\r");
+    let answer = talk(&bench, &["--state", "kept"], "PROG0\rLIST\rLRUN\r");
+    assert!(answer.contains("\r\n10 PRINT 1 : GARBAGE GARBAGE\r\nP00>"), "{answer}");
+    assert!(answer.ends_with(" [line 10]\r\nP00>"), "{answer}");
+    let shown = bench.acrc(["state", "show", "kept"]).expect(0).stdout;
+    assert!(shown.contains("battery-backed memory  PROG0; "), "{shown}");
+}
+
+#[test]
+fn an_image_is_no_project() {
+    let bench = Bench::new();
+    bench.file("machine.8K", MACHINE);
+    bench.acrc(["build", "machine.8K", "-o", "machine.acrx"]).expect(0);
+    let said = bench.acrc(["repl", "machine.acrx"]).expect(2).stderr;
+    assert!(said.contains("`machine.acrx` is an image, and no project: expected a program text"), "{said}");
+}

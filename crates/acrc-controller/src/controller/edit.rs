@@ -41,7 +41,9 @@ impl Controller {
             return Err(too_large(entry.level, entry.text.bytes(), space));
         }
         self.changeable(entry.level)?;
-        self.replace_text(entry.level, entry.text);
+        if let Some(task) = Task::at(entry.level) {
+            self.replace_text(task, entry.text);
+        }
         Ok(())
     }
 
@@ -54,7 +56,9 @@ impl Controller {
         } else {
             text.put(number, line, space).map_err(|needed| too_large(level, needed, space))?;
         }
-        self.replace_text(level, text);
+        if let Some(task) = Task::at(level) {
+            self.replace_text(task, text);
+        }
         Ok(())
     }
 
@@ -74,8 +78,8 @@ impl Controller {
         }
     }
 
-    fn replace_text(&mut self, level: Level, text: StoredText) {
-        let Some(task) = Task::at(level) else { return };
+    /// A text that is compiled when it is needed takes the place of the one before.
+    pub(crate) fn replace_text(&mut self, task: Task, text: StoredText) {
         let space = self.machine.space(task);
         self.machine.memory.set_stored(task.space(), !text.is_empty());
         let program = self.program_mut(task);
@@ -149,7 +153,9 @@ impl Controller {
             if let StatementKind::Define(define) = &statement.kind
                 && let Ok(alias) = read_alias(source, define)
             {
-                self.aliases.define(alias, &self.machine.memory).map_err(|error| error.to_string())?;
+                self.aliases
+                    .define(alias, self.machine.model, &self.machine.memory)
+                    .map_err(|error| error.to_string())?;
             }
         }
         Ok(())

@@ -112,12 +112,7 @@ impl Controller {
 
     /// Stores a text in its space. Whether it can be executed shows when it is started.
     pub(crate) fn store_text(&mut self, unit: Unit) -> Result<Option<Task>, ControllerError> {
-        let (task, object, index, count) = match unit.name {
-            UnitName::Program(number) => (Task::Program(number), "PROG", number, self.programs.len()),
-            UnitName::Plc(number) => (Task::Plc(number), "PLC", number, self.plcs.len()),
-            UnitName::Boot => return Ok(None),
-        };
-        Machine::object(object, i64::from(index), count as u8)?;
+        let Some(task) = self.task_of(unit.name)? else { return Ok(None) };
         let available = self.machine.space(task);
         let needed = u64::from(unit.memory());
         if needed > available {
@@ -131,6 +126,17 @@ impl Controller {
         program.set_space(available);
         self.machine.memory.set_stored(task.space(), true);
         Ok(Some(task))
+    }
+
+    /// What executes a text; the controller must have it.
+    pub(crate) fn task_of(&self, name: UnitName) -> Result<Option<Task>, ControllerError> {
+        let task = Task::of(name);
+        match task {
+            Some(Task::Program(number)) => Machine::object("PROG", i64::from(number), self.programs.len() as u8)?,
+            Some(Task::Plc(number)) => Machine::object("PLC", i64::from(number), self.plcs.len() as u8)?,
+            None => 0,
+        };
+        Ok(task)
     }
 
     /// Notes what the behaviour of a text rests on without proof.

@@ -12,6 +12,7 @@ use acrc_vm::{FaultKind, Stop};
 
 use super::setup::Immediate;
 use super::{Controller, Observer};
+use crate::machine::Machine;
 use crate::orders::Order;
 use crate::program::State;
 use crate::terminal::{
@@ -172,13 +173,15 @@ impl Controller {
         let entry = self.machine.terminal.get_mut(id).and_then(|channel| channel.entry.take());
         let pieces = match entry {
             Some(entry) => self.enter_line(id, entry, line),
-            None => self.pieces(line),
+            None => self.pieces(id, line),
         };
         Typed { pieces, ..Typed::default() }
     }
 
-    fn pieces(&mut self, line: &str) -> VecDeque<Piece> {
-        Reader { aliases: &mut self.aliases, memory: &self.machine.memory, load: self.load }.read(line)
+    fn pieces(&mut self, id: ChannelId, line: &str) -> VecDeque<Piece> {
+        let level = self.level(id);
+        let Machine { model, memory, .. } = &self.machine;
+        Reader { aliases: &mut self.aliases, model, level, memory, load: self.load }.read(line)
     }
 
     /// Adds a line to the text that is entered. Gives what is to be done behind its `ENDP`.
@@ -190,14 +193,14 @@ impl Controller {
         let text = line.get(start..end.map_or(line.len(), |end| end.start as usize)).unwrap_or_default();
         let text = text.trim_end_matches([' ', '\t', ':']).trim_start();
         if !text.is_empty() && !text.starts_with('\'') && !entry.discarded {
-            entry.text.append(number.map(|number| number.value), text, self.space_at(entry.level));
+            entry.text.enter(number.map(|number| number.value), text, self.space_at(entry.level));
         }
         let Some(end) = end else {
             self.with_channel(id, |channel| channel.entry = Some(entry));
             return VecDeque::new();
         };
         let refusal = self.finish_entry(entry).err().map(|error| Piece::Refuse(error.to_string()));
-        let behind = self.pieces(line.get(end.end as usize..).unwrap_or_default());
+        let behind = self.pieces(id, line.get(end.end as usize..).unwrap_or_default());
         refusal.into_iter().chain(behind).collect()
     }
 
@@ -216,6 +219,11 @@ impl Controller {
                 if let Err(error) = self.store_line(level, *number, line) {
                     self.say(id, &error.to_string());
                 }
+                true
+            }
+            Some(Piece::Read(rest)) => {
+                let pieces = self.pieces(id, rest);
+                typed.pieces.extend(pieces);
                 true
             }
             Some(Piece::Enter(first)) => {
@@ -271,9 +279,7 @@ impl Controller {
         (typed.waited_at, typed.waits_for) = (self.changes.count(), footprint.reads);
         if let Stop::Fault(fault) = &run.stop {
             typed.frame.skip_statement(code);
-            // The system prompt has no local variables to dimension.
-            let elsewhere = level == Level::System && matches!(fault.kind, FaultKind::OutOfMemory { .. });
-            if elsewhere {
+            if belongs_elsewhere(&fault.kind, level) {
                 self.say(id, message::UNKNOWN_COMMAND.text());
             } else {
                 self.say(id, &fault.to_string());
@@ -315,6 +321,20 @@ impl Controller {
             self.machine.order(master, Order::Kill);
         }
         self.update_program_flags();
+    }
+}
+
+/// Whether a fault only shows that a statement is none of a level: there are local variables to dimension where programs are, and jumps where
+/// there are lines to jump to.
+fn belongs_elsewhere(fault: &FaultKind, level: Level) -> bool {
+    match fault {
+        FaultKind::OutOfMemory { .. } => level == Level::System,
+        FaultKind::NoSuchLine { .. }
+        | FaultKind::GosubTooDeep { .. }
+        | FaultKind::ReturnWithoutGosub
+        | FaultKind::NextWithoutFor
+        | FaultKind::BreakOutsideLoop => !matches!(level, Level::Program(_)),
+        _ => false,
     }
 }
 

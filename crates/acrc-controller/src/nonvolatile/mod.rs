@@ -19,6 +19,7 @@ use acrc_catalog::{CommandId, command};
 pub use power::RestoreError;
 pub use saved::{
     AxisParameters, FlashImage, MasterParameters, Memory, Saved, Setting, SettingValue, Slave, SystemParameters,
+    TypedLine, TypedText,
 };
 
 /// What a command does to the memories.

@@ -3,6 +3,7 @@
 //! At power-up memory is what the battery kept, else that of the factory; then comes the user image that is in use, then the saved
 //! system parameters. The programs that begin with `PBOOT` are started last.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use acrc_catalog::memory::SystemBlock;
@@ -10,7 +11,7 @@ use acrc_image::{Alias, Image, ImageError, Unit, UnitName};
 use acrc_vm::{Code, LoadError};
 use thiserror::Error;
 
-use super::{Battery, FlashImage, Memory, Operation, Saved};
+use super::{Battery, FlashImage, Memory, Operation, Saved, TypedText};
 use crate::controller::{Controller, Observer, Options, Refusal};
 use crate::error::ControllerError;
 use crate::memory::SystemMemory;
@@ -20,6 +21,7 @@ use crate::report::FaultReport;
 use crate::request::Request;
 use crate::scheduler::Scheduler;
 use crate::task::Task;
+use crate::terminal::StoredText;
 
 /// Why a controller cannot take what was saved.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -181,7 +183,7 @@ impl Controller {
     }
 
     fn save_image(&mut self, everything: bool) {
-        let mut memory = self.memory();
+        let mut memory = self.memory(everything);
         if !everything {
             memory.user.clear();
             memory.blocks.retain(|(block, _)| of_programs(*block));
@@ -191,42 +193,68 @@ impl Controller {
 
     /// Makes the image in flash memory the working memory, or its part of it.
     fn load_image(&mut self, image: &FlashImage) -> Result<(), RestoreError> {
-        let memory = self.with_image(self.memory(), image);
+        let memory = self.with_image(self.memory(true), image);
         self.set_memory(&memory)
     }
 
-    /// Working memory as it is now.
-    fn memory(&self) -> Memory {
+    /// Working memory as it is now, with all names that mean something or those only that the texts need.
+    fn memory(&self, names: bool) -> Memory {
         let memory = &self.machine.memory;
+        let typed = self.typed_texts();
+        // A text with mistakes may refer to any name.
         let Image { aliases, programs, .. } = self.stored_programs();
-        // Texts refer to the table by place, so it is kept as a whole or not at all.
-        let named = memory.size(SystemBlock::Aliases).is_some() || !programs.is_empty();
+        let table = memory.size(SystemBlock::Aliases).is_some() || !programs.is_empty();
+        let names = !typed.is_empty() || (names && table);
+        let (aliases, programs) = self.without_forgotten(names, &programs).unwrap_or((aliases, programs));
         Memory {
             blocks: memory.blocks().collect(),
-            aliases: if named { aliases } else { Vec::new() },
+            aliases,
             programs,
+            typed,
             user: memory.users().to_vec(),
             hardware: self.machine.config.clone(),
             password: self.machine.password.clone(),
         }
     }
 
-    /// Texts are kept as they are stored, so one that was changed at a terminal is compiled first. What cannot be compiled is not kept.
+    /// The aliases that texts refer to and those that `names` asks for, and the texts for this table: what a name meant before it was forgotten
+    /// is no longer of use. `None` for a text that does not decode.
+    fn without_forgotten(&self, names: bool, programs: &[Unit]) -> Option<(Vec<Alias>, Vec<Unit>)> {
+        let mut kept: BTreeSet<u16> = self.aliases.known_places().filter(|_| names).collect();
+        for unit in programs {
+            kept.extend(unit.aliases().ok()?);
+        }
+        let entries = self.aliases.entries();
+        let mut places = vec![0; entries.len()];
+        for (place, old) in (0..).zip(&kept) {
+            *places.get_mut(usize::from(*old))? = place;
+        }
+        let aliases = kept.iter().filter_map(|old| entries.get(usize::from(*old)).cloned()).collect();
+        let programs = programs.iter().map(|unit| unit.renumber_aliases(&places)).collect::<Result<_, _>>().ok()?;
+        Some((aliases, programs))
+    }
+
+    /// The texts that cannot be compiled.
+    fn typed_texts(&self) -> Vec<TypedText> {
+        let edited = self.tasks().filter_map(|task| {
+            let lines = self.program(task).edited.as_ref()?.typed();
+            Some(TypedText { name: task.unit(), lines })
+        });
+        edited.collect()
+    }
+
+    /// Texts are kept as they are stored, so one that was changed at a terminal is compiled first. One with mistakes is kept as it was typed;
+    /// they show when it is started.
     fn compile_edited(&mut self) {
         let edited: Vec<Task> = self.tasks().filter(|task| self.program(*task).edited.is_some()).collect();
         for task in edited {
-            if self.compile(task).is_err() {
-                self.machine.notes.insert(format!(
-                    "the text at {} cannot be compiled, so it is not kept without power",
-                    task.level()
-                ));
-            }
+            let _ = self.compile(task);
         }
     }
 
     /// What the battery keeps of it.
     fn kept_memory(&self) -> Option<Memory> {
-        (self.machine.nonvolatile.battery == Battery::Connected).then(|| self.memory())
+        (self.machine.nonvolatile.battery == Battery::Connected).then(|| self.memory(true))
     }
 
     fn kept_parameters(&self) -> Vec<(u32, acrc_vm::Value)> {
@@ -303,6 +331,11 @@ impl Controller {
         for unit in &memory.programs {
             let unit = unit.renumber_aliases(&places)?;
             self.store_text(unit)?;
+        }
+        for text in &memory.typed {
+            if let Some(task) = self.task_of(text.name)? {
+                self.replace_text(task, StoredText::of_lines(&text.lines));
+            }
         }
         Ok(())
     }

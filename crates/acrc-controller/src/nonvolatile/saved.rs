@@ -2,7 +2,7 @@
 
 use acrc_catalog::CommandId;
 use acrc_catalog::memory::SystemBlock;
-use acrc_image::{Alias, AxisName, Unit};
+use acrc_image::{Alias, AxisName, Unit, UnitName};
 use acrc_motion::MoveSettings;
 use acrc_vm::{Source, Text, Value};
 
@@ -30,12 +30,34 @@ pub struct Memory {
     pub aliases: Vec<Alias>,
     /// The stored texts, one a program or PLC program.
     pub programs: Vec<Unit>,
+    /// The stored texts that have mistakes, as they were typed.
+    pub typed: Vec<TypedText>,
     /// P0 and those behind it, as many as have memory.
     pub user: Vec<f64>,
     /// The hardware of `CONFIG`, where it is not that of the factory.
     pub hardware: Option<String>,
     /// What protects the programs from `LIST` (`PASSWORD`).
     pub password: Option<Text>,
+}
+
+/// A text that cannot be compiled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TypedText {
+    /// Whose it is: a program or PLC program.
+    pub name: UnitName,
+    /// Its lines in their order.
+    pub lines: Vec<TypedLine>,
+}
+
+/// A line of a text that cannot be compiled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TypedLine {
+    /// Its number.
+    pub number: u32,
+    /// The number was typed, and is not the one that the line is hidden behind.
+    pub written: bool,
+    /// Its statements.
+    pub text: String,
 }
 
 /// The user image in flash memory.

@@ -6,13 +6,14 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use acrc_catalog::{command, message, word};
-use acrc_compile::{CompileErrorKind, encode_statements, read_alias};
+use acrc_catalog::{Model, command, message, word};
+use acrc_compile::{CompileErrorKind, LINE_NUMBERS, encode_statements, read_alias};
 use acrc_diagnostics::Span;
 use acrc_image::{UnitName, encode};
 use acrc_syntax::Tree;
-use acrc_syntax::ast::{Statement, StatementKind};
-use acrc_vm::{Code, Frame, LoadOptions};
+use acrc_syntax::ast::{LineNumber, Statement, StatementKind};
+use acrc_syntax::units::Level;
+use acrc_vm::{Code, Frame, LoadErrorKind, LoadOptions};
 
 use crate::aliases::Aliases;
 use crate::footprint::Places;
@@ -45,6 +46,8 @@ pub(crate) enum Piece {
     Run(Box<Code>),
     /// A text that says why a statement is not executed.
     Refuse(String),
+    /// The rest of the line, to be read when what stands before it has been executed.
+    Read(String),
     /// `PROGRAM`: what follows on the line is entered first.
     Enter(String),
     /// A line with a number, to be stored; without text it is deleted.
@@ -55,6 +58,10 @@ pub(crate) enum Piece {
 pub(crate) struct Reader<'a> {
     /// What names mean; `#DEFINE` adds to it.
     pub(crate) aliases: &'a mut Aliases,
+    /// The controller.
+    pub(crate) model: &'static Model,
+    /// The level at which the line is typed.
+    pub(crate) level: Level,
     /// Where the alias table has its memory.
     pub(crate) memory: &'a SystemMemory,
     /// How statements are made ready to run.
@@ -71,13 +78,19 @@ impl Reader<'_> {
             return VecDeque::new();
         }
         if let Some(number) = first.and_then(|line| line.number) {
+            if number.value > LineNumber::MAX {
+                let written = text.get(number.span.range()).unwrap_or_default().to_owned();
+                let refusal = CompileErrorKind::NumberTooLarge { text: written, limit: LINE_NUMBERS };
+                return [Piece::Refuse(refusal.to_string())].into();
+            }
             let statements = text.get(number.span.end as usize..).unwrap_or_default().trim();
             return [Piece::Store(number.value, statements.to_owned())].into();
         }
         let mut pieces = VecDeque::new();
         let (entry, count) = program_entry(&text, &tree);
-        self.statements(&text, &tree, 0..count, &mut pieces);
-        pieces.extend(entry.map(Piece::Enter));
+        let (now, later) = until_definition(&text, &tree, count);
+        self.statements(&text, &tree, 0..now, &mut pieces);
+        pieces.extend(later.map(Piece::Read).or(entry.map(Piece::Enter)));
         pieces
     }
 
@@ -110,7 +123,7 @@ impl Reader<'_> {
         });
         for define in definitions {
             let defined = match read_alias(text, define) {
-                Ok(alias) => self.aliases.define(alias, self.memory).map_err(|error| error.to_string()),
+                Ok(alias) => self.aliases.define(alias, self.model, self.memory).map_err(|error| error.to_string()),
                 Err(mistakes) => Err(mistakes.first().map_or_else(String::new, ToString::to_string)),
             };
             if let Err(refusal) = defined {
@@ -122,11 +135,20 @@ impl Reader<'_> {
 
     /// Statements as code, or what the controller says instead of executing them.
     fn code(&self, text: &str, tree: &Tree, range: Range<u32>) -> Result<Box<Code>, String> {
+        let unknown = || message::UNKNOWN_COMMAND.text().to_owned();
+        let in_program = matches!(self.level, Level::Program(_));
         let instructions = encode_statements(tree, text, range, self.aliases.names()).map_err(|errors| {
-            errors.first().map_or_else(String::new, |error| complaint(text, tree, error.span, &error.kind))
+            errors.first().map_or_else(String::new, |error| match error.kind {
+                CompileErrorKind::UndefinedLabel(_) if !in_program => unknown(),
+                _ => complaint(text, tree, error.span, &error.kind),
+            })
         })?;
         let unit = encode(UnitName::Boot, &instructions).map_err(|error| error.to_string())?;
-        Code::load_with(&unit, self.aliases.entries(), self.load).map(Box::new).map_err(|error| error.kind.to_string())
+        let code = Code::load_with(&unit, self.aliases.entries(), self.load).map_err(|error| match error.kind {
+            LoadErrorKind::NotOpen { .. } if !in_program => unknown(),
+            kind => kind.to_string(),
+        })?;
+        Ok(Box::new(code))
     }
 }
 
@@ -158,6 +180,24 @@ fn program_entry(text: &str, tree: &Tree) -> (Option<String>, u32) {
         .get(place)
         .map_or("", |statement| text.get(statement.span.end as usize..).unwrap_or_default());
     (Some(behind.trim_start_matches([' ', '\t', ':']).to_owned()), place as u32)
+}
+
+/// How many of the first `count` statements can be read at once, and the text behind them: a `#DEFINE` needs the memory that a `DIM DEF` before
+/// it gives. What stands in a block is read with it.
+fn until_definition(text: &str, tree: &Tree, count: u32) -> (u32, Option<String>) {
+    let first = statements(tree, &(0..count));
+    let defines = |statement: &Statement| matches!(statement.kind, StatementKind::Define(_));
+    let blocks = |statement: &Statement| match &statement.kind {
+        StatementKind::If(_) | StatementKind::For(_) => true,
+        StatementKind::Command(command) => command.id == command::WHILE,
+        _ => false,
+    };
+    match first.iter().enumerate().find(|(place, statement)| blocks(statement) || (*place > 0 && defines(statement))) {
+        Some((place, statement)) if defines(statement) => {
+            (place as u32, text.get(statement.span.start as usize..).map(str::to_owned))
+        }
+        _ => (count, None),
+    }
 }
 
 fn is_one_line_if(statement: &Statement) -> bool {

@@ -3,9 +3,13 @@
 //!
 //! A line that cannot be read is kept as it was typed: the controller says nothing about syntax when a program is entered, only when it is run.
 
+use std::ops::Range;
+
 use acrc_catalog::command;
 use acrc_image::list::{ListOptions, hidden_line_number, list};
 use acrc_image::{Alias, ImageError, Separator, Unit};
+
+use crate::nonvolatile::TypedLine;
 
 /// Bytes of a command word and of a long constant.
 const WORD: u64 = 4;
@@ -61,6 +65,21 @@ impl StoredText {
         Ok(text)
     }
 
+    /// A text that was kept as it was typed.
+    pub(crate) fn of_lines(lines: &[TypedLine]) -> Self {
+        let stored = |line: &TypedLine| StoredLine::new(line.number, line.written, line.text.clone());
+        let lines: Vec<StoredLine> = lines.iter().map(stored).collect();
+        let bytes = lines.iter().map(|line| line.bytes).sum();
+        Self { lines, bytes }
+    }
+
+    /// The text as it was typed.
+    pub(crate) fn typed(&self) -> Vec<TypedLine> {
+        let typed =
+            |line: &StoredLine| TypedLine { number: line.number, written: line.written, text: line.text.clone() };
+        self.lines.iter().map(typed).collect()
+    }
+
     /// The lines in their order.
     pub(crate) fn lines(&self) -> &[StoredLine] {
         &self.lines
@@ -76,14 +95,28 @@ impl StoredText {
         self.bytes
     }
 
-    /// Adds a line at the end, as between `PROGRAM` and `ENDP`. What is beyond `space` bytes is counted and not kept.
-    pub(crate) fn append(&mut self, number: Option<u32>, text: &str, space: u64) {
+    /// Adds a line between `PROGRAM` and `ENDP`: at the end, but a number that does not rise puts its line before the first line with a higher
+    /// written number, or in the place of the one with the same. What is beyond `space` bytes is counted and not kept.
+    pub(crate) fn enter(&mut self, number: Option<u32>, text: &str, space: u64) {
+        let end = self.lines.len();
+        let range = number.map_or(end..end, |number| self.place_among_written(number));
         let last = self.lines.last().map_or(0, |line| line.number);
         let line =
             StoredLine::new(number.unwrap_or_else(|| hidden_line_number(last)), number.is_some(), text.to_owned());
-        self.bytes = self.bytes.saturating_add(line.bytes);
+        let replaced: u64 = self.lines.iter().take(range.end).skip(range.start).map(|line| line.bytes).sum();
+        self.bytes = self.bytes.saturating_sub(replaced).saturating_add(line.bytes);
         if self.bytes <= space {
-            self.lines.push(line);
+            self.lines.splice(range, [line]);
+        }
+    }
+
+    /// What a line with a number that was written takes the place of, hidden numbers aside: nothing, or the line with this number.
+    fn place_among_written(&self, number: u32) -> Range<usize> {
+        let below = self.lines.iter().rposition(|line| line.written && line.number < number);
+        let from = below.map_or(0, |below| below + 1);
+        match self.lines.iter().enumerate().skip(from).find(|(_, line)| line.written) {
+            Some((place, other)) => place..place + usize::from(other.number == number),
+            None => self.lines.len()..self.lines.len(),
         }
     }
 

@@ -52,6 +52,15 @@ fn numbered_lines_take_their_places() {
 }
 
 #[test]
+fn numbers_between_program_and_endp_order_the_lines_that_have_them() {
+    let mut desk = Desk::machine();
+    enter(&mut desk, "PROGRAM\n10 VEL 1\n5 VEL 2\n10 VEL 3\nENDP");
+    assert_eq!(desk.ask("LIST"), "5 VEL 2\r\n10 VEL 3\r\n");
+    enter(&mut desk, "PROGRAM\nVEL 1\nVEL 2\n10 VEL 3\nVEL 4\n5 VEL 5\nENDP");
+    assert_eq!(desk.ask("LIST"), "VEL 1\r\nVEL 2\r\n5 VEL 5\r\n10 VEL 3\r\nVEL 4\r\n");
+}
+
+#[test]
 fn plc_programs_are_entered_run_and_erased() {
     let mut desk = Desk::with("SYS\nDIM PLC0(400)\n");
     enter(&mut desk, "PLC0\nPROGRAM\nLD 128\nOUT 40\nENDP\nRUN\nSET 128");
@@ -179,4 +188,22 @@ fn plc_programs_are_entered_at_their_prompt() {
     assert_eq!(desk.send("PLC 0\r"), "PLC 0\r\nPLC0>");
     enter(&mut desk, "PROGRAM\nLD 5\nOUT 32\nENDP");
     assert_eq!(desk.ask("LIST"), "LD 5\r\nOUT 32\r\n");
+}
+
+#[test]
+fn a_text_with_mistakes_outlasts_a_reset() {
+    let mut desk = Desk::new();
+    enter(&mut desk, "PROG0\n10 PRINT 1 : GARBAGE GARBAGE\nREBOOT\nPROG0");
+    assert_eq!(desk.ask("LIST"), "10 PRINT 1 : GARBAGE GARBAGE\r\n");
+    assert!(desk.send("LRUN\r").contains(" [line 10]\r\n"));
+    enter(&mut desk, "10 PRINT 1");
+    assert_eq!(desk.send("LRUN\r") + &desk.wait(0.1), "LRUN\r\n1\r\nP00>");
+}
+
+#[test]
+fn line_numbers_beyond_the_stored_form_are_refused() {
+    let mut desk = Desk::machine();
+    let refusal = "the number 4294967296 is too large: line numbers go up to 2147483647\r\n";
+    assert_eq!(desk.ask("4294967296 VEL 1"), refusal);
+    assert_eq!(desk.ask("LIST"), "");
 }

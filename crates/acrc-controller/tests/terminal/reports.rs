@@ -192,3 +192,37 @@ fn a_text_that_cannot_be_executed_outlasts_a_reset() {
         "LRUN has found it, and not the reset"
     );
 }
+
+#[test]
+fn forgotten_aliases_do_not_come_back_with_the_power() {
+    let mut desk = Desk::new();
+    desk.send("DIM DEF(3)\r#DEFINE old P1\r#DEFINE moved P4\rCLEAR\rDIM P(9)\rDIM DEF(3)\rDIM PROG0(400)\r");
+    desk.send(
+        "#DEFINE fresh P2\r#DEFINE moved P5\rPROG0\rPROGRAM\rmoved = 7\rENDP\rLIST\rSYS\r#DEFINE moved P6\rREBOOT\r",
+    );
+    assert_eq!(desk.ask("DEF"), "#DEFINE fresh P2\r\n#DEFINE moved P6\r\n");
+    desk.send("RUN PROG0\r");
+    desk.wait(0.1);
+    assert_eq!(desk.ask("?P4 : ?P5 : ?P6"), "0\r\n7\r\n0\r\n");
+    assert_eq!(desk.ask("? old"), "the name `old` is not defined\r\n");
+}
+
+#[test]
+fn help_has_all_that_a_prompt_takes() {
+    let mut desk = Desk::new();
+    let words = |help: String| help.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let system = words(desk.ask("HELP"));
+    desk.send("PROG0\r");
+    let program = words(desk.ask("HELP"));
+    assert!(system.iter().all(|word| program.contains(word)), "{system:?}\n{program:?}");
+    assert!(["ESAVE", "CONFIG", "IP", "FLASH", "VEL"].iter().all(|word| program.contains(&(*word).to_owned())));
+    assert!(!system.contains(&"VEL".to_owned()));
+}
+
+#[test]
+fn a_move_buffer_reports_whether_it_is_on() {
+    let mut desk = Desk::machine();
+    assert_eq!(desk.ask("MBUF : MBUF ON : MBUF : MASTER0 MBUF"), "MBUF OFF\r\nMBUF ON\r\nMBUF ON\r\n");
+    desk.send("SYS\r");
+    assert_eq!(desk.ask("MBUF"), "Unknown Command\r\n");
+}

@@ -146,3 +146,65 @@ fn what_depends_on_a_condition_that_cannot_be_read_is_not_executed() {
     assert_eq!(desk.ask("IF (P99 = 0) THEN ?1 : ?2"), refused);
     assert_eq!(desk.ask("WHILE (P99 = 0) : ?1 : WEND : ?2"), format!("{refused}2\r\n"));
 }
+
+#[test]
+fn aliases_have_the_names_that_a_build_takes() {
+    let mut desk = Desk::with("SYS\nDIM P(10)\nDIM DEF(9)\n");
+    let long = "a".repeat(25);
+    for (name, problem) in [
+        ("VEL", "is a word of the language"),
+        ("b1", "has a `1`; only letters may be in it"),
+        (long.as_str(), "has 25 letters; at most 24 are possible"),
+    ] {
+        assert_eq!(desk.ask(&format!("#DEFINE {name} P1")), format!("the alias {name} {problem}\r\n"));
+    }
+    assert_eq!(desk.ask("DEF"), "");
+    desk.send("PROG0\rPROGRAM\r#DEFINE b1 P1\rENDP\r");
+    assert_eq!(
+        desk.send("LRUN\r") + &desk.wait(0.1),
+        "LRUN\r\nthe alias b1 has a `1`; only letters may be in it\r\nP00>"
+    );
+    let mut later = Desk::of_model("SYS\nDIM P(10)\nDIM DEF(9)\n", "ACR7000");
+    assert_eq!(later.ask("#DEFINE b1 P1"), "");
+}
+
+#[test]
+fn a_definition_finds_the_memory_that_the_line_gives_out_before_it() {
+    let mut desk = Desk::new();
+    assert_eq!(
+        desk.ask("SYS : DIM P(9) : DIM DEF(4) : #DEFINE a P1 : a = 5 : #DEFINE b P2 : b = a + 1 : ?a : ?b"),
+        "5\r\n6\r\n"
+    );
+    assert_eq!(desk.ask("DEF"), "#DEFINE a P1\r\n#DEFINE b P2\r\n");
+    assert_eq!(desk.ask("IF (0) THEN CLEAR : #DEFINE c P3"), "");
+    let full = "there is no room for the alias e: DIM DEF(4) gives 4\r\n";
+    assert_eq!(desk.ask("?1 : #DEFINE d P4 : #DEFINE e P5 : ?2"), format!("1\r\n{full}2\r\n"));
+    assert_eq!(desk.ask("CLEAR : DIM PROG1(400) : DIM DEF(1) : #DEFINE a P38912 : PROG1 : PROGRAM"), "");
+    assert_eq!(desk.ask("VEL 1 : ENDP : LIST : ?a"), "VEL 1\r\n0\r\n");
+}
+
+#[test]
+fn jumps_belong_to_programs() {
+    let mut desk = Desk::with("SYS\nDIM PLC0(400)\n");
+    for prompt in ["SYS", "PLC0"] {
+        desk.send(&format!("{prompt}\r"));
+        for line in ["GOTO 10", "GOTO there", "GOSUB 10", "GOSUB there", "RETURN", "NEXT", "WEND", "BREAK"] {
+            assert_eq!(desk.ask(line), "Unknown Command\r\n", "{prompt} {line}");
+        }
+    }
+    desk.send("PROG0\r");
+    assert_eq!(desk.ask("GOTO 10"), "there is no line 10\r\n");
+}
+
+#[test]
+fn attachments_name_what_the_controller_has() {
+    let mut desk = Desk::new();
+    assert_eq!(desk.ask("ATTACH AXIS0 ENC20"), "ENC20 does not exist: this controller has ENC0 to ENC9\r\n");
+    assert_eq!(desk.ask("ATTACH AXIS0 ENC0 DAC8 ENC0"), "DAC8 does not exist: this controller has DAC0 to DAC7\r\n");
+    assert_eq!(desk.ask("ATTACH AXIS4 ENC4 DAC4 ENC9"), "");
+    assert_eq!(desk.ask("ATTACH AXIS7 STEPPER7 CMT7"), "");
+    desk.send("PROG0\rATTACH MASTER0\r");
+    let refusal = "ATTACH SLAVE: `VEL` is no axis name: it is a word of the language\r\n";
+    assert_eq!(desk.ask("ATTACH SLAVE1 AXIS1 \"VEL\""), refusal);
+    assert_eq!(desk.ask("ATTACH"), "ATTACH MASTER0\r\n");
+}

@@ -1,5 +1,7 @@
 //! The bytes of a state.
 
+use acrc_controller::nonvolatile::{TypedLine, TypedText};
+use acrc_image::UnitName;
 use acrc_store::{ReadError, decode, encode};
 use proptest::prelude::*;
 
@@ -82,4 +84,18 @@ proptest! {
         };
         let _ = decode(&bytes);
     }
+}
+
+#[test]
+fn a_text_with_mistakes_is_kept_as_it_was_typed() {
+    let line = |number, written, text: &str| TypedLine { number, written, text: text.to_owned() };
+    let lines = vec![line(10, false, "PRINT \"\u{fc}\" : GARBAGE ="), line(15, true, "\tVEL =")];
+    let mut saved = full();
+    let memory = saved.memory.as_mut().expect("it has a battery");
+    memory.typed =
+        vec![TypedText { name: UnitName::Program(3), lines }, TypedText { name: UnitName::Plc(0), lines: vec![] }];
+    let bytes = encode(&saved).expect("small enough");
+    assert_eq!(decode(&bytes), Ok(saved));
+    let body = String::from_utf8(bytes).expect("text").split_once('\n').expect("lines").1.replacen("PLC0", "boot", 1);
+    assert_eq!(decode(&seal(&body)).expect_err("refused").to_string(), "`boot` is no program");
 }

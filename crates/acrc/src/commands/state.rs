@@ -1,6 +1,7 @@
 //! `acrc state`: what the controller of `acrc sim --state` keeps without power.
 
 use acrc_controller::nonvolatile::{Memory, Saved, SystemParameters};
+use acrc_image::UnitName;
 use acrc_store::Store;
 use anyhow::{Context as _, bail};
 
@@ -38,7 +39,10 @@ fn describe(saved: &Saved) -> String {
 
 fn memory(memory: &Memory) -> String {
     let bytes: u64 = memory.blocks.iter().map(|(_, bytes)| u64::from(*bytes)).sum();
-    let programs: Vec<String> = memory.programs.iter().map(|unit| unit.name.to_string()).collect();
+    let compiled = memory.programs.iter().map(|unit| unit.name);
+    let mut programs: Vec<UnitName> = compiled.chain(memory.typed.iter().map(|text| text.name)).collect();
+    programs.sort_unstable();
+    let programs: Vec<String> = programs.iter().map(ToString::to_string).collect();
     let programs = if programs.is_empty() { "no program".to_owned() } else { programs.join(" ") };
     let user = counted(memory.user.len(), "user parameter", "user parameters");
     let aliases = counted(memory.aliases.len(), "alias", "aliases");
