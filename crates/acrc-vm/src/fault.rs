@@ -8,6 +8,8 @@ use acrc_catalog::{CommandId, OperandClass};
 use thiserror::Error;
 
 use crate::code::{Code, Location};
+use crate::format::number;
+use crate::value::Value;
 
 /// What went wrong.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -22,7 +24,7 @@ pub enum FaultKind {
         operation: &'static str,
     },
     /// A number beyond the range of the 32-bit variable that is to hold it.
-    #[error("{0} is beyond the range of 32-bit floating point numbers")]
+    #[error("{} is beyond the range of 32-bit floating point numbers", number(&Value::Double(*.0)))]
     NotSingle(f64),
     /// An argument that a function has no result for.
     #[error("{function} has no result for {argument}")]

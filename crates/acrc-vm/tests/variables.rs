@@ -106,7 +106,7 @@ fn faults_name_the_variable_and_its_limit() {
         ("DIM $V(1,5)\n$V0 = 1", "a string is needed here, this is a number"),
         ("DIM $V(1,5)\n$V0 = P0", "a string is needed here, this is a number"),
         ("P0 = \"x\"", "a number is needed here, this is a string"),
-        ("DIM SV(1)\nSV0 = 1e300", "1e300 is beyond the range of 32-bit floating point numbers"),
+        ("DIM SV(1)\nSV0 = 1e300", "1e+300 is beyond the range of 32-bit floating point numbers"),
         ("P12288 = 1", "P12288 can only be read"),
         ("PRINT P200000", "P200000 does not exist"),
         ("SET 5", "BIT5 can only be read"),
