@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use acrc_catalog::{command, law, message};
 use acrc_syntax::ast::{Statement, StatementKind};
 use acrc_syntax::units::Level;
-use acrc_vm::{FaultKind, Stop};
+use acrc_vm::{FaultKind, Locals, Stop};
 
 use super::setup::Immediate;
 use super::{Controller, Observer};
@@ -270,6 +270,7 @@ impl Controller {
             spare: &mut self.boot.locals,
             channel: Some(id),
         };
+        let dimensions = statement.spare.dimensions().len();
         let (run, footprint) = statement.run(&mut self.machine, &mut self.programs, &mut self.plcs, observer);
         let level = self.machine.level;
         typed.waiting = run.stop == Stop::Blocked;
@@ -284,6 +285,10 @@ impl Controller {
             } else {
                 self.say(id, &fault.to_string());
             }
+        } else if self.boot.locals.dimensions().len() > dimensions {
+            // A block without elements needs no memory, and there is none to give at the system prompt either.
+            self.boot.locals = Locals::new(0);
+            self.say(id, message::UNKNOWN_COMMAND.text());
         }
         let done = run.stop == Stop::Ended;
         self.with_channel(id, |channel| channel.level = level);

@@ -45,9 +45,22 @@ fn esc_gives_a_wait_up() {
 #[test]
 fn commands_of_another_level_are_unknown() {
     let mut desk = Desk::with(TWO_AXES);
-    for line in
-        ["VEL 5", "X10", "ACC", "ATTACH MASTER0", "LIST", "DIM LV(2)", "GARBLE", "15 VEL 5", "= 5", ")", "PROGRAM"]
-    {
+    for line in [
+        "VEL 5",
+        "X10",
+        "ACC",
+        "ATTACH MASTER0",
+        "LIST",
+        "DIM LV(2)",
+        "DIM LV(0)",
+        "DIM LA(1)",
+        "DIM MBUF(2)",
+        "GARBLE",
+        "15 VEL 5",
+        "= 5",
+        ")",
+        "PROGRAM",
+    ] {
         assert_eq!(desk.ask(line), "Unknown Command\r\n", "{line}");
     }
     // What follows a PROGRAM that is refused is read and not executed, up to its end.
