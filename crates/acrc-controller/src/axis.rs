@@ -6,7 +6,7 @@
 use acrc_motion::axis::{AxisProfilers, GantryLock, SourceCounts, TravelLimits};
 
 use crate::mechanics::CaptureState;
-use crate::motion::{Followers, Table};
+use crate::motion::{Followers, Shown, Table};
 
 /// State of one axis.
 #[derive(Clone, Debug)]
@@ -45,6 +45,10 @@ pub(crate) struct Axis {
     pub(crate) switches: [Option<u32>; 3],
     /// What captures its position.
     pub(crate) capture: CaptureState,
+    /// What its flags show; nothing yet at power-up.
+    pub(crate) shown: Option<Shown>,
+    /// Whether its flag says that it is in position.
+    pub(crate) in_position: Option<bool>,
     /// What a run reports of it.
     pub(crate) statistics: AxisStatistics,
 }
@@ -96,6 +100,8 @@ impl Axis {
             lock: None,
             switches: [None; 3],
             capture: CaptureState::default(),
+            shown: None,
+            in_position: None,
             statistics: AxisStatistics::default(),
         }
     }

@@ -15,13 +15,17 @@ pub struct Clock {
     period: f64,
     /// Ticks of a second, when they are a whole number: times are exact quotients then, without the error of the period.
     ticks_per_second: Option<f64>,
+    /// Ticks of a program slice.
+    slice: u64,
     ticks: u64,
 }
 
 impl Clock {
     /// A clock at zero.
     pub fn new(period: f64) -> Self {
-        Self { period, ticks_per_second: whole_rate(period), ticks: 0 }
+        let mut clock = Self { period, ticks_per_second: None, slice: 1, ticks: 0 };
+        clock.set_period(period);
+        clock
     }
 
     /// Servo period in seconds.
@@ -33,6 +37,7 @@ impl Clock {
     pub(crate) fn set_period(&mut self, period: f64) {
         self.period = period;
         self.ticks_per_second = whole_rate(period);
+        self.slice = self.tick_at(SLICE_SECONDS).max(1);
     }
 
     /// Ticks since power-up.
@@ -58,7 +63,7 @@ impl Clock {
 
     /// Ticks of a program slice, at least one.
     pub(crate) fn slice_ticks(self) -> u64 {
-        self.tick_at(SLICE_SECONDS).max(1)
+        self.slice
     }
 
     pub(crate) fn advance(&mut self, ticks: u64) {

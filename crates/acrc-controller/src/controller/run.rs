@@ -66,10 +66,14 @@ impl Controller {
         self.start_after_setup(start);
         self.powered = true;
         self.report_events(observer);
+        let mut end = self.machine.clock.tick_at(until);
         loop {
+            let period = self.machine.clock.period();
             self.prepare_tick(observer);
             // `PERIOD` in the setup code changes how many ticks a time takes.
-            let end = self.machine.clock.tick_at(until);
+            if self.machine.clock.period() != period {
+                end = self.machine.clock.tick_at(until);
+            }
             self.execute_tick(end, observer);
             if self.is_idle() {
                 self.machine.settle();
@@ -127,7 +131,8 @@ impl Controller {
 
     /// What happens at the present tick besides motion: a scan and a slice. `end` is the last tick of the run.
     fn execute_tick(&mut self, end: u64, observer: &mut dyn Observer) {
-        if self.machine.clock.ticks().is_multiple_of(self.scan_ticks()) {
+        let scans = self.plcs.iter().any(|plc| plc.program.is_active());
+        if scans && self.machine.clock.ticks().is_multiple_of(self.scan_ticks()) {
             self.scan(observer);
         }
         if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {

@@ -18,6 +18,7 @@ mod tables;
 mod tick;
 
 pub(crate) use cam::{Table, TableKind};
+pub(crate) use flags::Shown;
 pub(crate) use jog::JogOrder;
 pub(crate) use registers::Preload;
 pub(crate) use settings::refused;
@@ -43,6 +44,8 @@ pub(crate) struct AxisMotion {
     gates: Gates,
     limit_switches: Vec<Switch>,
     sampling: Sampling,
+    /// The axes whose limits or compensation have to be looked at while their masters move them, one bit each.
+    guarded: u32,
     /// The flag words in which limit and home inputs lie, one bit each.
     switch_words: u64,
 }
@@ -58,6 +61,7 @@ impl AxisMotion {
             gates: Gates::default(),
             limit_switches: vec![Switch::default(); LIMIT_SWITCHES],
             sampling: Sampling::default(),
+            guarded: 0,
             switch_words: 0,
         }
     }

@@ -23,6 +23,8 @@ impl Machine {
             let inputs = self.axes.iter().flat_map(|axis| axis.switches).flatten();
             let words = inputs.map(|input| 1u64.checked_shl(input / u32::BITS).unwrap_or(0));
             self.motion.switch_words = words.fold(0, |words, word| words | word);
+            let guarded = self.axes.iter().zip(0..).map(|(axis, number)| u32::from(axis.is_guarded()) << number);
+            self.motion.guarded = guarded.fold(0, |axes, axis| axes | axis);
         }
         if std::mem::take(&mut self.motion.objects_stale) {
             self.refresh_gates();

@@ -29,7 +29,7 @@ impl Axis {
     }
 
     /// Whether limits or compensation have to be looked at while its master moves it.
-    fn is_guarded(&self) -> bool {
+    pub(super) fn is_guarded(&self) -> bool {
         let settings = self.limits.settings();
         let (hardware, software) = (settings.hardware, settings.software);
         let limited = hardware.positive || hardware.negative || software.positive || software.negative;
@@ -67,13 +67,18 @@ impl Machine {
         let awake = std::mem::take(&mut self.motion.awake);
         // Axes to be looked at, as bits: few of them in most ticks.
         let mut watched = 0_u32;
-        for axis in 0..self.model.axes {
-            let active = self.axes[usize::from(axis)].works();
-            if active {
+        // While all are asleep none works by itself.
+        for axis in (0..self.model.axes).filter(|_| awake) {
+            if self.axes[usize::from(axis)].works() {
                 self.advance_axis(axis, dt, arrays);
             }
-            let watch = awake || active || self.axes[usize::from(axis)].is_guarded() && self.axis_in_motion(axis);
-            watched |= u32::from(watch) << axis;
+            watched |= 1 << axis;
+        }
+        let mut guarded = self.motion.guarded & !watched;
+        while guarded != 0 {
+            let axis = guarded.trailing_zeros();
+            watched |= u32::from(self.axis_in_motion(axis as u8)) << axis;
+            guarded &= guarded - 1;
         }
         self.advance_mechanics(dt);
         while watched != 0 {
