@@ -27,6 +27,7 @@ const STANDING: f64 = 0.02;
 
 /// The mechanics of all axes.
 #[derive(Clone, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each spares a search in every tick")]
 pub(crate) struct Mechanics {
     /// By axis; empty when the world says nothing of any.
     axes: Vec<Option<Box<Mechanism>>>,
