@@ -10,6 +10,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-diagnostics", &[]),
     ("acrc-motion", &[]),
     ("acrc-trace", &[]),
+    ("acrc-wire", &["acrc-catalog"]),
     ("acrc-syntax", &["acrc-catalog", "acrc-diagnostics"]),
     ("acrc-image", &["acrc-catalog"]),
     ("acrc-compile", &["acrc-syntax", "acrc-image"]),
