@@ -65,7 +65,7 @@ impl Values {
             Request::Mask { address: self.longs[2], mask },
             Request::ParameterMask { parameter, mask },
             Request::Override(Override { kind, masks: self.bytes, value: long.single() }),
-            Request::Flag(FlagChange { flag: self.word, set: self.choice % 2 == 0 }),
+            Request::Flag(FlagChange { flag: self.word, set: self.choice.is_multiple_of(2) }),
         ]
     }
 
