@@ -307,6 +307,7 @@ pub struct ModelRow {
     pub user_memory: u32,
     pub servo_period: f64,
     pub plc_last_flag: Option<u32>,
+    pub system_pointer: Option<u32>,
     #[serde(default)]
     pub note: String,
     pub source: String,

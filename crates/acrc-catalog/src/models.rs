@@ -27,6 +27,8 @@ pub struct Model {
     pub servo_period: f64,
     /// The last flag that its PLC programs reach, where that is not all of them.
     pub plc_last_flag: Option<u32>,
+    /// Where the binary host interface finds the address of the user parameters, where a document states it.
+    pub system_pointer: Option<u32>,
     /// What is stated and what is assumed.
     pub note: &'static str,
     /// Where the row comes from (`data/README.md`).

@@ -132,6 +132,8 @@ fn names_of_arguments_appear_in_the_signature() {
 fn models_by_name() {
     assert_eq!(default_model().name, "ACR9000");
     assert_eq!(model("acr1505").map(|model| (model.masters, model.slaves)), Some((16, 16)));
+    assert_eq!(model("ACR1500").and_then(|model| model.system_pointer), Some(0x00C0_8008));
+    assert_eq!(default_model().system_pointer, None, "no document gives one");
     assert_eq!(model("ACR1"), None);
     assert_eq!(models().iter().map(|model| model.name).collect::<BTreeSet<_>>().len(), models().len());
     assert!(models().iter().all(|model| model.confidence == Confidence::High || model.note.contains("assumed")));

@@ -69,7 +69,7 @@ fn others(catalogue: &Catalogue, out: &mut String) {
     let models = catalogue.models.iter().map(|row| {
         format!(
             "Model {{ name: {:?}, programs: {}, plcs: {}, masters: {}, axes: {}, slaves: {}, streams: &{:?}, user_memory: {}, \
-             servo_period: {:?}, plc_last_flag: {:?}, note: {:?}, source: {:?}, confidence: {} }}",
+             servo_period: {:?}, plc_last_flag: {:?}, system_pointer: {:?}, note: {:?}, source: {:?}, confidence: {} }}",
             row.name,
             row.programs,
             row.plcs,
@@ -80,6 +80,7 @@ fn others(catalogue: &Catalogue, out: &mut String) {
             row.user_memory,
             row.servo_period,
             row.plc_last_flag,
+            row.system_pointer,
             row.note,
             row.source,
             confidence(&row.confidence)

@@ -78,6 +78,7 @@ fn model(model: &Model) -> String {
         .list("streams", model.streams.iter().copied())
         .fact("memory", format!("{} bytes", model.user_memory))
         .fact("servo period", format!("{} s", model.servo_period))
+        .fact("system pointer", model.system_pointer.map_or_else(String::new, |address| format!("0x{address:06X}")))
         .fact("note", model.note)
         .origin(model.source, model.confidence)
 }
