@@ -14,9 +14,9 @@
 //! # Bytes from anywhere
 //!
 //! Whatever bytes arrive, in whatever pieces, a decoder gives the same packets and never panics. What cannot be read is
-//! reported as [`Item::Unreadable`] and costs the bytes of that packet only. The crate is `no_std` and does not know
-//! how to allocate: packets borrow what they carry from the input or from the buffer of the decoder, which is as long as
-//! the longest packet.
+//! reported as [`Item::Unreadable`] and costs the bytes of that packet only. The crate's own code is `no_std` and does
+//! not know how to allocate: packets borrow what they carry from the input or from the buffer of the decoder, which is as
+//! long as the longest packet.
 //!
 //! # Example
 //!
