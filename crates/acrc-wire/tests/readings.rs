@@ -66,9 +66,9 @@ fn masks_of_an_override_may_count_together() {
 #[test]
 fn a_watchdog_may_count_seconds() {
     let watchdog =
-        Watchdog { timer: 500, ticker: 3, address: [10, 0, 0, 1].into(), command_port: 1, fast_status_port: 2 };
-    assert_eq!(watchdog.patience(WatchdogUnit::Milliseconds), Some(Duration::from_millis(1500)));
-    assert_eq!(watchdog.patience(WatchdogUnit::Seconds), Some(Duration::from_secs(1500)));
+        Watchdog { timer: 501, ticker: 3, address: [10, 0, 0, 1].into(), command_port: 1, fast_status_port: 2 };
+    assert_eq!(watchdog.patience(WatchdogUnit::Milliseconds), Some(Duration::from_millis(1503)));
+    assert_eq!(watchdog.patience(WatchdogUnit::Seconds), Some(Duration::from_secs(1503)));
     assert_eq!(Watchdog { timer: 0, ..watchdog }.patience(WatchdogUnit::Milliseconds), None);
     let longest = Watchdog { timer: u32::MAX, ticker: u32::MAX, ..watchdog };
     assert!(longest.patience(WatchdogUnit::Seconds).is_some());
