@@ -87,7 +87,6 @@ fn the_page_shows_the_run_at_the_cursor() {
     assert_eq!(here.iter().map(|line| line.trim()).collect::<Vec<_>>(), ["INH -516", "INH -LightCurtain"]);
     assert_eq!(text(&dom, "id=\"output-count\""), "2 lines, of 9 in the whole run");
     assert!(dom.contains("<td>PROG0</td><td>row 1 done</td>"));
-    assert!(dom.contains("EXC Response Enable was set"), "notes");
     // Only the event in sight is marked.
     assert!(dom.contains(">curtain broken</text>") && !dom.contains(">curtain free</text>"));
 }
@@ -158,7 +157,7 @@ fn a_long_run_is_shown_by_its_least_and_greatest_values() {
         listings: Vec::new(),
         output: Vec::new(),
         faults: vec![Event { time: 50.0, text: "PROG0 line 3 statement 1: something is wrong".to_owned() }],
-        notes: &[],
+        notes: &["no document names P20000".to_owned()],
     });
     let path = bench.file("long.html", page);
     let (dom, said) = act(&browser, &path, "#at=54.321", "");
@@ -170,6 +169,7 @@ fn a_long_run_is_shown_by_its_least_and_greatest_values() {
         dom.contains("something is wrong")
             && !dom.contains("id=\"faults-section\" aria-labelledby=\"faults-heading\" hidden")
     );
+    assert!(dom.contains("no document names P20000"), "notes");
     assert!(dom.contains(">fault: PROG0 line 3 statement 1: something"), "it is marked in the plots");
     // Whatever the width of the picture, the curve has no more points than can be seen.
     let (_, curve) = dom.split_once("class=\"band\"").expect("a band");
