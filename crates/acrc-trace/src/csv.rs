@@ -7,6 +7,7 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
+use std::ops::Range;
 
 use thiserror::Error;
 
@@ -27,15 +28,13 @@ pub enum CsvError {
 
 /// Writes a whole trace.
 pub fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
-    let kinds: Vec<Kind> = trace.signals().iter().map(|signal| signal.kind).collect();
-    let mut line = String::new();
-    push_header(&mut line, trace.signals());
-    out.write_all(line.as_bytes())?;
+    let mut lines = Lines::new(trace.signals());
+    let mut header = String::new();
+    push_header(&mut header, trace.signals());
+    out.write_all(header.as_bytes())?;
     for (row, time) in trace.times().iter().enumerate() {
-        line.clear();
-        let values = (0..kinds.len()).filter_map(|signal| trace.value(row, signal));
-        push_row(&mut line, &kinds, *time, values);
-        out.write_all(line.as_bytes())?;
+        let values = (0..trace.signals().len()).filter_map(|signal| trace.value(row, signal));
+        out.write_all(lines.next(*time, values).as_bytes())?;
     }
     Ok(())
 }
@@ -45,27 +44,24 @@ pub fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
 #[derive(Debug)]
 pub struct CsvWriter<W> {
     out: W,
-    kinds: Vec<Kind>,
     last_time: Option<f64>,
-    line: String,
+    lines: Lines,
 }
 
 impl<W: Write> CsvWriter<W> {
     /// Writes the header.
     pub fn new(mut out: W, signals: &[Signal]) -> io::Result<Self> {
-        let mut line = String::new();
-        push_header(&mut line, signals);
-        out.write_all(line.as_bytes())?;
-        let kinds = signals.iter().map(|signal| signal.kind).collect();
-        Ok(Self { out, kinds, last_time: None, line })
+        let mut header = String::new();
+        push_header(&mut header, signals);
+        out.write_all(header.as_bytes())?;
+        Ok(Self { out, last_time: None, lines: Lines::new(signals) })
     }
 
     /// Writes one row: `time` in seconds, `values` in the order of the signals.
     pub fn row(&mut self, time: f64, values: &[f64]) -> Result<(), CsvError> {
-        check_row(self.kinds.len(), self.last_time, time, values)?;
-        self.line.clear();
-        push_row(&mut self.line, &self.kinds, time, values.iter().copied());
-        self.out.write_all(self.line.as_bytes())?;
+        check_row(self.lines.fields.len(), self.last_time, time, values)?;
+        let line = self.lines.next(time, values.iter().copied());
+        self.out.write_all(line.as_bytes())?;
         self.last_time = Some(time);
         Ok(())
     }
@@ -77,23 +73,55 @@ impl<W: Write> CsvWriter<W> {
     }
 }
 
+/// Makes the lines. Most values of most rows are those of the row before, and their text is taken from there.
+#[derive(Debug)]
+struct Lines {
+    line: String,
+    before: String,
+    fields: Vec<Field>,
+}
+
+/// One column.
+#[derive(Debug)]
+struct Field {
+    kind: Kind,
+    /// The value of the row before, and where its text stands in that line.
+    value: u64,
+    place: Range<usize>,
+}
+
+impl Lines {
+    fn new(signals: &[Signal]) -> Self {
+        let fields = signals.iter().map(|signal| Field { kind: signal.kind, value: 0, place: 0..0 });
+        Self { line: String::new(), before: String::new(), fields: fields.collect() }
+    }
+
+    fn next(&mut self, time: f64, values: impl Iterator<Item = f64>) -> &str {
+        std::mem::swap(&mut self.line, &mut self.before);
+        let line = &mut self.line;
+        line.clear();
+        push_time(line, time);
+        for (field, value) in self.fields.iter_mut().zip(values) {
+            line.push(',');
+            let start = line.len();
+            let known = self.before.get(field.place.clone()).filter(|text| !text.is_empty());
+            match (field.kind, known) {
+                (Kind::Bit, _) => line.push(if is_on(value) { '1' } else { '0' }),
+                (Kind::Continuous, Some(text)) if field.value == value.to_bits() => line.push_str(text),
+                (Kind::Continuous, _) => push_value(line, value),
+            }
+            (field.value, field.place) = (value.to_bits(), start..line.len());
+        }
+        line.push('\n');
+        line
+    }
+}
+
 fn push_header(line: &mut String, signals: &[Signal]) {
     line.push_str("time_s");
     for signal in signals {
         line.push(',');
         push_quoted(line, &signal.name);
-    }
-    line.push('\n');
-}
-
-fn push_row(line: &mut String, kinds: &[Kind], time: f64, values: impl Iterator<Item = f64>) {
-    push_time(line, time);
-    for (kind, value) in kinds.iter().zip(values) {
-        line.push(',');
-        match kind {
-            Kind::Bit => line.push(if is_on(value) { '1' } else { '0' }),
-            Kind::Continuous => push_value(line, value),
-        }
     }
     line.push('\n');
 }
