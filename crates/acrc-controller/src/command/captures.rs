@@ -53,7 +53,7 @@ fn capture(context: &mut Context, call: &Call) -> Result<Outcome, ControllerErro
 fn seek(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     let master = context.movable(call)?;
-    if context.machine.seeks(master) || context.machine.masters[master].profiler.in_motion() {
+    if !context.machine.stands(master) {
         return Ok(Outcome::Again);
     }
     let mut axes = Vec::new();
@@ -71,13 +71,14 @@ fn seek(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
         return Err(ControllerError::Expected { command, expected: "distance and mode of an axis" });
     };
     let next = next.interruptible(sought(*first).code());
+    // Before the move begins, which what was captured earlier would end.
+    for (axis, _, mode) in &axes {
+        context.machine.arm_capture(*axis, *mode, *axis);
+    }
     let outcome = context.queue(call, master, &next)?;
     if outcome == Outcome::Done {
         let seek = Seek::new(axes.iter().map(|(axis, slot, _)| (*axis, *slot)), settings);
         context.machine.begin_seek(master, seek);
-        for (axis, _, mode) in axes {
-            context.machine.arm_capture(axis, mode, axis);
-        }
     }
     Ok(outcome)
 }

@@ -113,6 +113,11 @@ impl Machine {
         self.masters[master].ahead.seek.is_some()
     }
 
+    /// Whether a master has come to the end of all that it was told, searches included.
+    pub(crate) fn stands(&self, master: usize) -> bool {
+        !self.moves(master) && !self.seeks(master)
+    }
+
     /// Whether every axis of a search has its mark.
     pub(crate) fn has_sought(&self, master: usize) -> bool {
         let captured = |axis: u8| self.axes[usize::from(axis)].capture.capture.captured().is_some();

@@ -97,3 +97,13 @@ fn an_input_redirects_a_move() {
     let body = "AXIS0 PPU 1000\nHSINT X(2, 100, 3)\nINH -516\nPRINT BIT 798; BIT 777; P12290 - P12292";
     assert_eq!(Sim::program(body).world(&world).prints(), ["-1-13000"]);
 }
+
+#[test]
+fn a_search_is_not_ended_by_what_the_one_before_captured() {
+    let body =
+        "AXIS0 PPU 1000\nMSEEK X(11, 0)\nX5\nINH -516\nMSEEK X(11, 0)\nX0\nINH -516\nPRINT P12292; \" \"; P12290";
+    let ran = Sim::program(body).world(MARKS).run().clean();
+    // The second mark is 10 units behind the first one, 5 behind the move.
+    assert_eq!(ran.record.output[0].text, "10000 0");
+    assert!(ran.notes().is_empty(), "{:?}", ran.notes());
+}
