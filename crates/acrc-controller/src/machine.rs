@@ -253,6 +253,9 @@ impl Machine {
         let master = &mut self.masters[index];
         let crest = if accelerated { crest(&master.profiler) } else { 1.0 };
         master.statistics.moves += u64::from(advanced.completed);
+        if advanced.completed > 0 {
+            master.ahead.redirection = None;
+        }
         master.settling = !master.profiler.in_motion();
         master.statistics.motion_ticks += 1;
         for (slot, axis) in master.attached() {

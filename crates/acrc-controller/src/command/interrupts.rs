@@ -61,7 +61,8 @@ fn new_trajectory(context: &mut Context, call: &Call) -> Result<Outcome, Control
 fn redirected(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     let master = context.movable(call)?;
-    if !context.takes_move(master) {
+    // A capture belongs to one move: that of another one is not to be taken for it.
+    if !context.machine.stands(master) {
         return Ok(Outcome::Again);
     }
     let [argument] = &context.axes(call)?[..] else {
@@ -84,8 +85,10 @@ fn redirected(context: &mut Context, call: &Call) -> Result<Outcome, ControllerE
         context.machine.flags.set_law(flag, axis, false);
     }
     context.machine.arm_capture(argument.axis, mode, argument.axis);
-    context.machine.masters[master].ahead.redirection = Some(redirection);
-    context.queue(call, master, &next)
+    let outcome = context.queue(call, master, &next)?;
+    let state = &mut context.machine.masters[master];
+    state.ahead.redirection = state.profiler.in_motion().then_some(redirection);
+    Ok(outcome)
 }
 
 /// Where captures count: from `access` on the way, over `window`; zero is no limit.

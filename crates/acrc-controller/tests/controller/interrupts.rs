@@ -95,6 +95,24 @@ fn a_capture_redirects_a_move() {
 }
 
 #[test]
+fn a_capture_redirects_no_move_but_its_own() {
+    // The first move is redirected from 5 to 9; nothing is captured during the second one, which waits for the first.
+    let world = "[[event]]\nat = 0.6\nset = [777]\nparameters = { P12292 = 5 }\n";
+    let body = "HSINT X(0, 20, 4)\nHSINT X(0, 30, 4)\nINH 516\nPRINT BIT(798)\nINH -516\nPRINT BIT(798); BIT(799)";
+    let ran = Sim::program(body).world(world).run().clean();
+    assert_eq!((ran.position(0), ran.record.output[1].text.as_str()), (30.0, "00"));
+    // A move of 9 units and one of 21.
+    assert!((ran.milliseconds() - 3200.0).abs() < 5.0, "{}", ran.milliseconds());
+}
+
+#[test]
+fn a_move_that_was_not_redirected_leaves_nothing_behind() {
+    let ran = Sim::program("HSINT X(0, 10, 4)\nINT 5 X30\nINH -516").world(&input(5, 2.0)).run().clean();
+    // 1.1 s for the first move; the second one is at 18.5 at 2 s, and rests half a unit later.
+    assert!((ran.position(0) - 19.0).abs() < 0.02, "{}", ran.position(0));
+}
+
+#[test]
 fn captures_count_inside_their_window() {
     let world = "[[event]]\nat = 0.6\nset = [777]\nparameters = { P12292 = 5 }\n";
     let end = |window: &str| {
