@@ -70,6 +70,7 @@ impl Machine {
             return;
         }
         self.flags.set(flag, state);
+        self.motion.touch_flag(flag);
         self.see_input(flag, state);
         if flag == law::MEI_OPEN.at(0) && state {
             self.flags.set(law::MEI_LATCHED.at(0), true);

@@ -46,7 +46,7 @@ pub(crate) struct AxisMotion {
     sampling: Sampling,
     /// The axes whose limits or compensation have to be looked at while their masters move them, one bit each.
     guarded: u32,
-    /// The flag words in which limit and home inputs lie, one bit each.
+    /// The flag words in which limit and home inputs lie, as [`word_bit`] has them.
     switch_words: u64,
 }
 
@@ -92,7 +92,11 @@ impl AxisMotion {
     /// A flag has changed that may be a switch.
     #[inline]
     pub(crate) fn touch_flag(&mut self, number: u32) {
-        let switch = number < 64 * u32::BITS && self.switch_words >> (number / u32::BITS) & 1 == 1;
-        self.awake |= switch || self.sampling.trigger == Some(number);
+        self.awake |= self.switch_words & word_bit(number) != 0 || self.sampling.trigger == Some(number);
     }
+}
+
+/// The bit of a set of flag words that stands for the word of a flag. The last one stands for all words that have none of their own.
+fn word_bit(flag: u32) -> u64 {
+    1 << (flag / u32::BITS).min(u64::BITS - 1)
 }

@@ -4,6 +4,7 @@
 use acrc_catalog::{CommandId, command, law};
 use acrc_motion::axis::{CamSettings, GearSettings, JogSettings, LimitSettings, Sides, Window, limit_inputs};
 
+use super::word_bit;
 use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::settings::Item;
@@ -21,8 +22,7 @@ impl Machine {
         }
         if stale != 0 {
             let inputs = self.axes.iter().flat_map(|axis| axis.switches).flatten();
-            let words = inputs.map(|input| 1u64.checked_shl(input / u32::BITS).unwrap_or(0));
-            self.motion.switch_words = words.fold(0, |words, word| words | word);
+            self.motion.switch_words = inputs.fold(0, |words, input| words | word_bit(input));
             let guarded = self.axes.iter().zip(0..).map(|(axis, number)| u32::from(axis.is_guarded()) << number);
             self.motion.guarded = guarded.fold(0, |axes, axis| axes | axis);
         }

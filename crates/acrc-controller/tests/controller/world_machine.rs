@@ -90,3 +90,17 @@ fn the_examples_of_the_page_are_worlds() {
         assert!(world.is_ok(), "{example}\n{world:?}");
     }
 }
+
+#[test]
+fn the_flags_of_limits_follow_coordinated_moves() {
+    let world = "[axis.0]\nswitches = [{ input = 2, from = 2, to = 4 }]\n";
+    let body = "X3\nINH -516\nPRINT BIT 2; BIT 16130\nX5\nINH -516\nPRINT BIT 2; BIT 16130";
+    assert_eq!(Sim::program(body).world(world).prints(), ["-1-1", "00"]);
+}
+
+#[test]
+fn a_limit_may_be_wired_to_an_input_of_a_network() {
+    let world = "[axis.0]\nswitches = [{ input = 11520, from = 2, to = 4 }]\n";
+    let body = "HLBIT X(24, 25, 11520)\nX3\nINH -516\nPRINT BIT 16130\nX5\nINH -516\nPRINT BIT 16130";
+    assert_eq!(Sim::program(body).world(world).prints(), ["-1", "0"]);
+}
