@@ -65,7 +65,8 @@ impl Machine {
         let Some(axis) = self.axes.get_mut(index) else { return };
         let settings = axis.limits.settings();
         let ramp = if software { settings.software_deceleration } else { settings.hardware_deceleration };
-        if coordinated == 0.0 && !axis.profilers.active() {
+        if coordinated == 0.0 && !axis.profilers.active() && axis.profilers.velocity() == 0.0 {
+            axis.profilers.hand_wheel.halt();
             axis.profilers.ballscrew.halt();
             axis.engages = false;
             return;
