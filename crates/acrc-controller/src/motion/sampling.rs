@@ -55,6 +55,12 @@ impl Machine {
         self.motion.touch();
     }
 
+    /// Whether the trigger has changed, as the controller itself may let it.
+    pub(crate) fn is_sampling_due(&self) -> bool {
+        let sampling = &self.motion.sampling;
+        sampling.trigger.is_some_and(|trigger| self.flags.get(trigger) != sampling.triggered)
+    }
+
     /// Stores a sample of each channel that is under way.
     pub(super) fn advance_sampling(&mut self, arrays: &mut dyn Arrays) {
         let Some(trigger) = self.motion.sampling.trigger else { return };

@@ -87,6 +87,8 @@ impl Machine {
         }
         if awake {
             self.advance_limit_switches(arrays);
+        }
+        if awake || dt > 0.0 && self.is_sampling_due() {
             self.advance_sampling(arrays);
         }
     }

@@ -53,3 +53,11 @@ fn nothing_is_sampled_once_the_setup_is_cleared() {
     );
     assert_eq!(sim.prints(), ["0"]);
 }
+
+#[test]
+fn motion_can_trigger_samples() {
+    // A sample each period from the moment at which X begins to move: 100 units/s^2 for 10 ms are 0.005 units.
+    let body = "PPU X1000000\nDIM LA(1)\nDIM LA0(100)\nSAMP0 SRC P12288\nSAMP0 BASE LA0\nSAMP TRG 516\nDWL 1\nX10\nDWL 1\n\
+                PRINT LA0(0) < LA0(1); LA0(20) - LA0(0) > 4900";
+    assert_eq!(Sim::program(body).prints(), ["-1-1"]);
+}
