@@ -52,6 +52,8 @@ pub(crate) struct Machine {
     pub(crate) attachments: Vec<Attachment>,
     /// Count of each encoder beyond the actual position of the axis that it measures, in pulses.
     pub(crate) encoder_offsets: Vec<i32>,
+    /// What commands have added to the count of each encoder while nothing moved, in pulses: nothing follows that.
+    pub(crate) renumbered: Vec<i32>,
     /// Tick at which the clock parameter was last set, and to what.
     pub(crate) clock_base: (u64, i32),
     /// The prompt level of the immediate statement that is being executed: of the setup code, or of the channel that typed it.
@@ -93,6 +95,7 @@ impl Machine {
             masters: (0..model.masters).map(|_| Master::new()).collect(),
             attachments: vec![Attachment::default(); usize::from(model.programs)],
             encoder_offsets: vec![0; usize::from(model.axes)],
+            renumbered: vec![0; usize::from(model.axes)],
             clock_base: (0, 0),
             level: Level::System,
             terminal: Terminal::default(),
@@ -180,6 +183,7 @@ impl Machine {
     /// Whether the next tick may change something: something moves, or axes look at what has just happened.
     pub(crate) fn is_busy(&self) -> bool {
         self.motion.is_awake()
+            || self.is_sampling_due()
             || self.mechanics.is_busy()
             || self.masters.iter().any(|master| master.profiler.in_motion())
     }

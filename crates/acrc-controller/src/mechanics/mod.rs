@@ -200,7 +200,10 @@ impl Mechanism {
 impl Machine {
     /// Lets the actual position of an axis be called by another number: nothing moves. `setpoint` is what the secondary setpoint becomes. All in units.
     pub(crate) fn rename_actual(&mut self, axis: u8, before: f64, after: f64, setpoint: f64) {
-        let scale = self.axes[usize::from(axis)].pulses_per_unit;
+        let state = &self.axes[usize::from(axis)];
+        let scale = state.pulses_per_unit;
+        let [old, new] = [before, after].map(|units| state.pulses(units));
+        self.renumber_encoder(axis, old, new);
         let Some(mechanism) = self.mechanics.of_mut(axis) else { return };
         if mechanism.is_led() {
             mechanism.place = before * scale + mechanism.origin;

@@ -61,11 +61,27 @@ impl Machine {
             }
             next = self.axes[usize::from(axis)].lock.map(|lock| lock.leader);
         }
-        let setpoint = |axis| self.registers_of(axis).primary_setpoint();
-        let gantry = GantryLock::new(setpoint(leader), setpoint(follower));
+        let gantry = GantryLock::new(self.primary_setpoint(leader), self.primary_setpoint(follower));
         self.axes[usize::from(follower)].lock = Some(Lock { leader, gantry });
         self.motion.wake();
         Ok(())
+    }
+
+    fn primary_setpoint(&self, axis: u8) -> f64 {
+        self.registers_of(axis).primary_setpoint()
+    }
+
+    /// The axes that are locked to one, and their primary setpoints, units.
+    pub(super) fn followers_of(&self, leader: u8) -> Vec<(u8, f64)> {
+        let follows = |axis: &u8| self.axes[usize::from(*axis)].lock.is_some_and(|lock| lock.leader == leader);
+        (0..self.model.axes).filter(follows).map(|axis| (axis, self.primary_setpoint(axis))).collect()
+    }
+
+    /// Lets a locked axis keep the distance from now on in which its primary setpoint is this, units.
+    pub(super) fn lock_at(&mut self, follower: u8, setpoint: f64) {
+        let Some(Lock { leader, .. }) = self.axes[usize::from(follower)].lock else { return };
+        let gantry = GantryLock::new(self.primary_setpoint(leader), setpoint);
+        self.axes[usize::from(follower)].lock = Some(Lock { leader, gantry });
     }
 
     /// Lets an axis go again, where it stands (`UNLOCK`).

@@ -82,11 +82,11 @@ impl Machine {
         self.flags.set_law(law, u32::from(axis), true);
         if found && self.preload(axis, Preload::All(0.0)).is_err() {
             // Its master moves other axes: the coordinated position is theirs, so the jog offset makes up for it.
-            let coordinated = self.position(axis);
-            let actual = self.registers_of(axis).actual;
-            let preloaded = self.axes[usize::from(axis)].profilers.jog.preload(0.0 - coordinated);
+            let before = self.registers_of(axis);
+            let jog = before.jog - before.primary_setpoint();
+            let preloaded = self.axes[usize::from(axis)].profilers.jog.preload(jog);
             debug_assert!(preloaded.is_ok(), "homing ends at rest");
-            self.rename_actual(axis, actual, 0.0, 0.0);
+            self.rename_actual(axis, before.actual, 0.0, 0.0);
         }
     }
 }

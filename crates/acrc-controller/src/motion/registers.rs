@@ -93,6 +93,8 @@ impl Machine {
         after: &Registers,
     ) -> Result<(), ControllerError> {
         let refused = |error: &dyn std::fmt::Display| ControllerError::Move(error.to_string());
+        // Where nothing moves but the numbers, what is locked to the axis stays where it is.
+        let led = if after.actual == before.actual { Vec::new() } else { self.followers_of(axis) };
         self.set_coordinated(axis, after.coordinated)?;
         if after.actual != before.actual || after.following_error() == 0.0 {
             self.rename_actual(axis, before.actual, after.actual, after.secondary_setpoint());
@@ -111,6 +113,8 @@ impl Machine {
         if after.ballscrew != before.ballscrew && after.ballscrew != 0.0 {
             profilers.ballscrew.preload(after.ballscrew).map_err(|error| refused(&error))?;
         }
+        self.lock_at(axis, after.primary_setpoint());
+        led.into_iter().for_each(|(follower, setpoint)| self.lock_at(follower, setpoint));
         self.motion.wake();
         Ok(())
     }

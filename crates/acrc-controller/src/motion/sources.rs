@@ -146,7 +146,7 @@ impl Machine {
     fn count_of(&self, feed: Feed) -> f64 {
         let value = match feed {
             Feed::None | Feed::Clock | Feed::Ratchet(_) | Feed::Limiter(_) => return 0.0,
-            Feed::Encoder(encoder) => return f64::from(self.encoder_count(encoder).unwrap_or(0)),
+            Feed::Encoder(encoder) => return f64::from(self.encoder_travel(encoder).unwrap_or(0)),
             Feed::Parameter(number) => self.read_parameter(number),
         };
         value.ok().and_then(|value| value.to_f64().ok()).filter(|value| value.is_finite()).unwrap_or(0.0)

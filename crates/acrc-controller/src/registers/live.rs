@@ -164,6 +164,19 @@ impl Machine {
     /// Gives an encoder's register another count without moving its axis.
     pub(crate) fn set_encoder(&mut self, axis: u8, count: i32) {
         let actual = self.axes[usize::from(axis)].pulses(self.registers_of(axis).actual);
-        self.encoder_offsets[usize::from(axis)] = count.wrapping_sub(actual);
+        let before = std::mem::replace(&mut self.encoder_offsets[usize::from(axis)], count.wrapping_sub(actual));
+        self.renumber_encoder(axis, before, count.wrapping_sub(actual));
+    }
+
+    /// The count of an encoder is another one without a motion.
+    pub(crate) fn renumber_encoder(&mut self, axis: u8, before: i32, after: i32) {
+        let renumbered = &mut self.renumbered[usize::from(axis)];
+        *renumbered = renumbered.wrapping_add(after).wrapping_sub(before);
+    }
+
+    /// What an encoder has counted of motions alone. `None` when the model has no such object.
+    pub(crate) fn encoder_travel(&self, encoder: u8) -> Option<i32> {
+        let renumbered = *self.renumbered.get(usize::from(encoder))?;
+        Some(self.encoder_count(encoder)?.wrapping_sub(renumbered))
     }
 }

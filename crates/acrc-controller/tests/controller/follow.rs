@@ -173,3 +173,37 @@ fn a_kill_disconnects_what_follows() {
     assert_eq!(ran.record.output[0].text, "-1");
     assert_eq!(ran.record.faults[0].message, "Associated Slave Kill Motion Request Active");
 }
+
+#[test]
+fn a_gear_follows_motions_not_the_numbers_of_positions() {
+    let sim = follower(&format!(
+        "GEAR ON Y\nX10\n{THERE}PRINT P12550\nRES X\n{THERE}PRINT P12550\nENC0 RES 500\n{THERE}PRINT P12550\nX1\n{THERE}PRINT P12550"
+    ));
+    assert_eq!(sim.prints(), ["1000", "1000", "1000", "1100"]);
+}
+
+#[test]
+fn a_locked_axis_stays_where_it_is_when_positions_get_other_numbers() {
+    let sim = follower(&format!(
+        "LOCK Y X\nX10\n{THERE}PRINT P12550\nRES X\n{THERE}PRINT P12294, P12550\nRES Y3\n{THERE}PRINT P12550, P12546\nX1\n{THERE}PRINT P12294, P12550"
+    ));
+    assert_eq!(sim.prints(), ["1000", "0\t1000", "300\t300", "1000\t400"]);
+}
+
+#[test]
+fn a_gantry_finds_its_home_without_a_step() {
+    // The edge is 3 units away, and the ramp behind it takes half a unit.
+    let world = "[axis.0]\nstart = 5\nswitches = [{ input = 2, from = 0, to = 2 }]\n";
+    let sim = follower(
+        "LOCK Y X\nJOG VEL X10\nJOG ACC X100\nJOG DEC X100\nJOG HOME X-1\nINH 16134\nPRINT P12294, P12550 < -345, P12550 > -355",
+    );
+    assert_eq!(sim.world(world).prints(), ["0\t-1\t-1"]);
+}
+
+#[test]
+fn a_kill_switches_a_hand_wheel_off() {
+    let sim = follower(&format!(
+        "HDW SRC Y ENC0\nHDW ON Y\nX1\n{THERE}PRINT P12550\nSET 8499\nDWL 0.01\nCLR 8499 : CLR 8467 : CLR 522\nX2\n{THERE}PRINT P12550"
+    ));
+    assert_eq!(sim.prints(), ["100", "100"]);
+}
