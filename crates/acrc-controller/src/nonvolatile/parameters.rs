@@ -85,6 +85,7 @@ impl Machine {
             let number = Self::object("MASTER", number, self.model.masters)?;
             self.load_master(number, master)?;
         }
+        self.motion.touch();
         Ok(())
     }
 

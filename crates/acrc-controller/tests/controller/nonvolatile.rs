@@ -254,3 +254,11 @@ fn saved_data_that_contradicts_itself_is_refused() {
     said.dedup();
     assert_eq!(said.len(), 8, "each has its own reason: {said:#?}");
 }
+
+#[test]
+fn loaded_settings_of_objects_are_in_force() {
+    // Saved, a pulse of the encoder counts twice.
+    let body = "PPU X1000 Y1000\nLIMIT0 SRC ENC0\nLIMIT0 MULT 2\nGEAR SRC Y LIMIT0\nGEAR PPU Y1000\nESAVE\nLIMIT0 MULT 5\nDWL 0.1\nELOAD\n\
+                GEAR ON Y\nX1\nINH -516\nDWL 0.1\nPRINT P12550";
+    assert_eq!(Sim::program(body).prints(), ["2000"]);
+}
