@@ -1,10 +1,11 @@
-//! One axis: scaling, drive state, position registers (guide, "Primary Setpoint" and "REN Details").
+//! One axis: scaling, drive state, position registers, motion (guide, "Primary Setpoint" and "REN Details").
 //!
 //! Unless the world describes a machine, the plant is ideal: the actual position follows the setpoint at once, so the following error is zero.
 //! Positions are kept in programming units; the controller's registers in pulses are computed from them.
 
 use acrc_motion::axis::{AxisProfilers, GantryLock, SourceCounts, TravelLimits};
 
+use crate::machine::Machine;
 use crate::mechanics::CaptureState;
 use crate::motion::{Followers, Shown, Table};
 
@@ -127,5 +128,51 @@ impl AxisStatistics {
         self.travel = travel;
         self.peak_velocity = self.peak_velocity.max(velocity.abs());
         self.peak_acceleration = self.peak_acceleration.max(acceleration.abs());
+    }
+}
+
+impl Machine {
+    /// Position of the coordinated profiler of an axis in units.
+    pub(crate) fn position(&self, axis: u8) -> f64 {
+        let state = &self.axes[usize::from(axis)];
+        match state.slave {
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.position(usize::from(slot)),
+            None => state.rest_position,
+        }
+    }
+
+    /// Where the coordinated moves given so far will leave an axis, in units.
+    pub(crate) fn target(&self, axis: u8) -> f64 {
+        match self.axes[usize::from(axis)].slave {
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.target(usize::from(slot)),
+            None => self.position(axis),
+        }
+    }
+
+    /// Velocity (units/s) and acceleration (units/s^2) of an axis, from all of its profilers.
+    pub(crate) fn motion(&self, axis: u8) -> (f64, f64) {
+        let (velocity, acceleration) = self.coordinated_motion(axis);
+        let profilers = &self.axes[usize::from(axis)].profilers;
+        (velocity + profilers.velocity(), acceleration + profilers.jog.state().acceleration)
+    }
+
+    /// The part of its master in [`Machine::motion`].
+    pub(crate) fn coordinated_motion(&self, axis: u8) -> (f64, f64) {
+        match self.axes[usize::from(axis)].slave {
+            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].motion(usize::from(slot)),
+            None => (0.0, 0.0),
+        }
+    }
+
+    /// Whether an axis moves, by its master, by itself, or led by another one.
+    pub(crate) fn axis_in_motion(&self, axis: u8) -> bool {
+        let state = &self.axes[usize::from(axis)];
+        state.moves() || self.master_moves(axis) || state.lock.is_some_and(|lock| self.axis_in_motion(lock.leader))
+    }
+
+    /// Whether the master of an axis moves.
+    pub(crate) fn master_moves(&self, axis: u8) -> bool {
+        let slave = self.axes[usize::from(axis)].slave;
+        slave.is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
     }
 }

@@ -10,7 +10,7 @@ use acrc_motion::{HoldState, Master as Profiler, Phase};
 use acrc_syntax::units::Level;
 use acrc_vm::Text;
 
-use crate::axis::{Axis, SlaveSlot};
+use crate::axis::Axis;
 use crate::error::ControllerError;
 use crate::flags::Flags;
 use crate::master::{Master, SLOTS};
@@ -301,50 +301,6 @@ impl Machine {
                 self.update_in_position(axis);
             }
         }
-    }
-
-    /// Position of the coordinated profiler of an axis in units.
-    pub(crate) fn position(&self, axis: u8) -> f64 {
-        let state = &self.axes[usize::from(axis)];
-        match state.slave {
-            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.position(usize::from(slot)),
-            None => state.rest_position,
-        }
-    }
-
-    /// Where the coordinated moves given so far will leave an axis, in units.
-    pub(crate) fn target(&self, axis: u8) -> f64 {
-        match self.axes[usize::from(axis)].slave {
-            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].profiler.target(usize::from(slot)),
-            None => self.position(axis),
-        }
-    }
-
-    /// Velocity (units/s) and acceleration (units/s^2) of an axis, from all of its profilers.
-    pub(crate) fn motion(&self, axis: u8) -> (f64, f64) {
-        let (velocity, acceleration) = self.coordinated_motion(axis);
-        let profilers = &self.axes[usize::from(axis)].profilers;
-        (velocity + profilers.velocity(), acceleration + profilers.jog.state().acceleration)
-    }
-
-    /// The part of its master in [`Machine::motion`].
-    pub(crate) fn coordinated_motion(&self, axis: u8) -> (f64, f64) {
-        match self.axes[usize::from(axis)].slave {
-            Some(SlaveSlot { master, slot }) => self.masters[usize::from(master)].motion(usize::from(slot)),
-            None => (0.0, 0.0),
-        }
-    }
-
-    /// Whether an axis moves, by its master, by itself, or led by another one.
-    pub(crate) fn axis_in_motion(&self, axis: u8) -> bool {
-        let state = &self.axes[usize::from(axis)];
-        state.moves() || self.master_moves(axis) || state.lock.is_some_and(|lock| self.axis_in_motion(lock.leader))
-    }
-
-    /// Whether the master of an axis moves.
-    pub(crate) fn master_moves(&self, axis: u8) -> bool {
-        let slave = self.axes[usize::from(axis)].slave;
-        slave.is_some_and(|slave| self.masters[usize::from(slave.master)].profiler.in_motion())
     }
 
     /// The axis that a program knows by a name.

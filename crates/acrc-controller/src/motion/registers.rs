@@ -114,7 +114,9 @@ impl Machine {
             profilers.ballscrew.preload(after.ballscrew).map_err(|error| refused(&error))?;
         }
         self.lock_at(axis, after.primary_setpoint());
-        led.into_iter().for_each(|(follower, setpoint)| self.lock_at(follower, setpoint));
+        for (follower, setpoint) in led {
+            self.lock_at(follower, setpoint);
+        }
         self.motion.wake();
         Ok(())
     }
