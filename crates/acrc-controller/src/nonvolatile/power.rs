@@ -319,7 +319,9 @@ impl Controller {
         let model = self.machine.model;
         self.machine.memory = SystemMemory::restored(model, &memory.blocks, &memory.user)?;
         for task in self.tasks().collect::<Vec<_>>() {
-            *self.program_mut(task) = Program::new();
+            let program = self.program_mut(task);
+            // Statistics of the run go on.
+            *program = Program { statements: program.statements, ..Program::new() };
         }
         self.machine.config.clone_from(&memory.hardware);
         self.machine.password.clone_from(&memory.password);
