@@ -84,6 +84,14 @@ impl Mechanics {
             mechanism.origin = mechanism.counted();
             mechanism.forget();
         }
+        // A machine that still turns is nothing that the controller moves.
+        self.moves = false;
+    }
+
+    /// The axes whose encoders have no signals.
+    pub(crate) fn blind(&self) -> impl Iterator<Item = u8> {
+        let axes = (0..).zip(&self.axes);
+        axes.filter_map(|(axis, mechanism)| mechanism.as_ref().is_some_and(|mechanism| mechanism.blind).then_some(axis))
     }
 }
 

@@ -1,5 +1,7 @@
 //! The machine at a restart: what begins anew and what goes on.
 
+use acrc_catalog::law;
+
 use super::Operation;
 use crate::machine::Machine;
 use crate::request::Request;
@@ -28,6 +30,13 @@ impl Machine {
         let inputs = (0..INPUTS).chain(self.world.driven_inputs());
         for input in inputs.filter(|input| before.flags.get(*input)) {
             self.flags.set(input, true);
+        }
+        if before.flags.get(law::MEI_OPEN.at(0)) {
+            self.flags.set_law(law::MEI_OPEN, 0, true);
+            self.flags.set_law(law::MEI_LATCHED, 0, true);
+        }
+        for axis in self.mechanics.blind() {
+            self.flags.set_law(law::ENCODER_SIGNAL_LOST, u32::from(axis), true);
         }
         for (axis, before) in self.axes.iter_mut().zip(before.axes) {
             axis.statistics = before.statistics;

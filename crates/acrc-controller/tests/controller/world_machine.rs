@@ -104,3 +104,25 @@ fn a_limit_may_be_wired_to_an_input_of_a_network() {
     let body = "HLBIT X(24, 25, 11520)\nX3\nINH -516\nPRINT BIT 16130\nX5\nINH -516\nPRINT BIT 16130";
     assert_eq!(Sim::program(body).world(world).prints(), ["-1", "0"]);
 }
+
+/// A motor whose program restarts the controller after a while.
+fn restarting(boot: &str, body: &str) -> Sim {
+    let setup = "PROG0\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPPU X1000\nJOG ACC X100 : JOG DEC X100 : JOG VEL X10\nSYS\nESAVE\nPROG0";
+    let text = format!("{setup}\nPROGRAM\nPBOOT\n{boot}\nIF (P38912 = 0)\nP38912 = 1\n{body}\nREBOOT\nENDIF\nENDP\n");
+    let motor = "[axis.0]\nplant = { kind = \"motor\", inertia = 2e-5, torque_constant = 0.157, lines = 4000 }\n";
+    let faults = "[[event]]\nat = 0.2\nencoder_lost = [0]\nmotion_enable = false\n";
+    Sim::new(&text).start(&[0]).world(&format!("{motor}{faults}")).until(1.0)
+}
+
+#[test]
+fn a_controller_restarts_while_its_motor_turns() {
+    let body = "PGAIN X0.01 : DGAIN X0.0001\nDRIVE ON X\nJOG FWD X\nDWL 0.15\nPRINT P12290 > 500";
+    let ran = restarting("PRINT P12290; P12294", body).run().clean();
+    assert_eq!(ran.record.output.iter().map(|line| line.text.as_str()).collect::<Vec<_>>(), ["00", "-1", "00"]);
+}
+
+#[test]
+fn faults_that_last_are_seen_after_a_restart() {
+    let prints = restarting("PRINT BIT 2561; BIT 5646; BIT 5645", "DWL 0.3").prints();
+    assert_eq!(prints, ["000", "-1-1-1"]);
+}
