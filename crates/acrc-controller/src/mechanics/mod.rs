@@ -82,6 +82,8 @@ impl Mechanics {
     pub(crate) fn restart(&mut self) {
         for mechanism in self.axes.iter_mut().flatten() {
             mechanism.origin = mechanism.counted();
+            // As the flags are at power-up.
+            (mechanism.in_position, mechanism.error_allowed) = (true, true);
             mechanism.forget();
         }
         // A machine that still turns is nothing that the controller moves.

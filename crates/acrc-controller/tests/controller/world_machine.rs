@@ -117,8 +117,11 @@ fn restarting(boot: &str, body: &str) -> Sim {
 #[test]
 fn a_controller_restarts_while_its_motor_turns() {
     let body = "PGAIN X0.01 : DGAIN X0.0001\nDRIVE ON X\nJOG FWD X\nDWL 0.15\nPRINT P12290 > 500";
-    let ran = restarting("PRINT P12290; P12294", body).run().clean();
-    assert_eq!(ran.record.output.iter().map(|line| line.text.as_str()).collect::<Vec<_>>(), ["00", "-1", "00"]);
+    let ran = restarting("PRINT P12290; P12294\nDWL 0.01\nPRINT BIT 769", body).run().clean();
+    assert_eq!(
+        ran.record.output.iter().map(|line| line.text.as_str()).collect::<Vec<_>>(),
+        ["00", "-1", "-1", "00", "0"]
+    );
 }
 
 #[test]
