@@ -160,8 +160,12 @@ impl Machine {
             cam: before.cam * factor,
             ..before
         };
+        let led = self.followers_of(axis);
         self.set_registers(axis, &before, &after)?;
         self.axes[usize::from(axis)].pulses_per_unit = ratio;
+        for (follower, setpoint) in led {
+            self.lock_at(follower, setpoint);
+        }
         self.motion.touch_axis(axis);
         Ok(())
     }

@@ -188,6 +188,8 @@ fn a_locked_axis_stays_where_it_is_when_positions_get_other_numbers() {
         "LOCK Y X\nX10\n{THERE}PRINT P12550\nRES X\n{THERE}PRINT P12294, P12550\nRES Y3\n{THERE}PRINT P12550, P12546\nX1\n{THERE}PRINT P12294, P12550"
     ));
     assert_eq!(sim.prints(), ["1000", "0\t1000", "300\t300", "1000\t400"]);
+    let scaled = follower(&format!("LOCK Y X\nX10\n{THERE}PPU X500\n{THERE}PRINT P12294, P12550"));
+    assert_eq!(scaled.prints(), ["10000\t1000"]);
 }
 
 #[test]
