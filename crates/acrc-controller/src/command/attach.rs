@@ -173,6 +173,7 @@ fn detach_program(machine: &mut Machine, program: u8) -> Result<(), ControllerEr
         detach_slot(machine, master, slot)?;
     }
     machine.masters[usize::from(master)].program = None;
+    machine.leave_groups(1 << master);
     machine.attachments[usize::from(program)] = Attachment::default();
     Ok(())
 }

@@ -42,7 +42,12 @@ fn table(id: CommandId) -> TableKind {
 
 /// `GEAR ON X Y`: each axis by itself; the program goes on at once.
 fn switch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    for argument in context.axes(call)? {
+    let axes = context.axes(call)?;
+    // All of them or none.
+    if !call.command.info().name.ends_with("OFF") {
+        axes.iter().try_for_each(|argument| context.machine.may_move(argument.axis))?;
+    }
+    for argument in axes {
         let axis = argument.axis;
         match call.command {
             command::GEAR_ON => context.machine.switch_gear(axis, true)?,

@@ -121,17 +121,24 @@ fn join(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
 /// `SYNC OFF MASTER1`: these masters go on alone.
 fn leave(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let leaving = context.listed_masters(call)?;
-    for index in 0..context.machine.masters.len() {
-        let master = &mut context.machine.masters[index];
-        let leaves = leaving >> index & 1 == 1;
-        master.group = if leaves { 0 } else { master.group & !leaving };
-        if leaves {
-            master.profiler.set_synchronised(false);
-            context.machine.update_master_flags(index);
-        }
-    }
-    context.machine.start_groups();
+    context.machine.leave_groups(leaving);
     Ok(Outcome::Done)
+}
+
+impl Machine {
+    /// Lets masters, as bits, go on alone.
+    pub(super) fn leave_groups(&mut self, leaving: u32) {
+        for index in 0..self.masters.len() {
+            let master = &mut self.masters[index];
+            let leaves = leaving >> index & 1 == 1;
+            master.group = if leaves { 0 } else { master.group & !leaving };
+            if leaves {
+                master.profiler.set_synchronised(false);
+                self.update_master_flags(index);
+            }
+        }
+        self.start_groups();
+    }
 }
 
 impl Context<'_> {

@@ -26,6 +26,10 @@ fn jog(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     for argument in context.axes(call)? {
         orders.push((argument.axis, order(call.command, argument.value)?));
     }
+    // All of them or none.
+    for (axis, _) in orders.iter().filter(|(_, order)| *order != JogOrder::Off) {
+        context.machine.may_move(*axis)?;
+    }
     for (axis, order) in orders {
         context.machine.jog(axis, order)?;
     }
@@ -59,6 +63,9 @@ fn home(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> 
             _ => return Err(ControllerError::Expected { command, expected: "a direction behind each axis: 1 or -1" }),
         };
         starts.push((argument.axis, side));
+    }
+    for (axis, _) in &starts {
+        context.machine.may_home(*axis)?;
     }
     for (axis, side) in starts {
         context.machine.home(axis, side)?;

@@ -22,8 +22,8 @@ pub(crate) enum TableKind {
 /// Where the points of a table are.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
-    /// Length in counts of the source, and array, of each segment.
-    segments: Vec<Option<(f64, ArrayPlace)>>,
+    /// Length in counts of the source, array, and how many points that had, of each segment.
+    segments: Vec<Option<(f64, ArrayPlace, usize)>>,
     /// The arrays alone.
     pub(super) arrays: Vec<Option<ArrayPlace>>,
     /// The profiler does not know all of it yet.
@@ -71,7 +71,7 @@ impl Machine {
             let problem = format!("segment {segment} is outside the {count} segments of its DIM");
             return Err(ControllerError::BadValue { command, problem });
         };
-        *entry = Some((length, place));
+        *entry = Some((length, place, 0));
         table.arrays[segment] = Some(place);
         table.fresh = true;
         self.motion.wake();
@@ -112,6 +112,18 @@ impl Machine {
         Ok(())
     }
 
+    /// Switches a profiler off whose arrays have gone, so that its offset stays.
+    pub(super) fn drop_lost_tables(&mut self, axis: u8, arrays: &dyn Arrays) {
+        for kind in [TableKind::Cam, TableKind::Ballscrew] {
+            let (cam, table) = self.axes[usize::from(axis)].table(kind);
+            let lost = |segment: &(f64, ArrayPlace, usize)| arrays.size(segment.1) < segment.2;
+            if cam.is_on() && table.segments.iter().flatten().any(lost) {
+                cam.halt();
+                self.notes.insert(format!("AXIS{axis}: an array of its {kind:?} has gone; the offset stays"));
+            }
+        }
+    }
+
     /// Tells the profilers of an axis how many points the arrays of new segments have.
     pub(super) fn resolve_tables(&mut self, axis: u8, arrays: &dyn Arrays) {
         for kind in [TableKind::Cam, TableKind::Ballscrew] {
@@ -119,9 +131,11 @@ impl Machine {
             if !std::mem::take(&mut table.fresh) {
                 continue;
             }
-            for (index, segment) in table.segments.iter().enumerate() {
-                let Some((length, place)) = *segment else { continue };
-                let points = arrays.size(place);
+            for (index, segment) in table.segments.iter_mut().enumerate() {
+                let Some((length, place, points)) = segment else { continue };
+                let (length, place) = (*length, *place);
+                *points = arrays.size(place);
+                let points = *points;
                 if let Err(error) = cam.set_segment(index, CamSegment { length, points }) {
                     let (class, array) = (place.class, place.array);
                     self.notes.insert(format!("AXIS{axis}: segment {index} with {class}{array} is left out: {error}"));

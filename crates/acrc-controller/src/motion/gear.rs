@@ -1,6 +1,5 @@
 //! Gear, hand wheel, and gantry lock of an axis (guide, "Gear Profiler", "Setpoint Control Commands").
 
-use acrc_catalog::message;
 use acrc_motion::axis::GantryLock;
 
 use crate::axis::Lock;
@@ -41,8 +40,8 @@ impl Machine {
 
     /// Takes the settings of now; a killed axis is not switched on.
     pub(super) fn admit(&mut self, axis: u8, on: bool) -> Result<(), ControllerError> {
-        if on && self.refusal(axis).is_some() {
-            return Err(ControllerError::Said(message::SLAVE_KILLED));
+        if on {
+            self.may_move(axis)?;
         }
         self.refresh_axes();
         Ok(())

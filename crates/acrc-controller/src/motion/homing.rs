@@ -1,6 +1,6 @@
 //! Homing by the jog profiler (guide, "Homing").
 
-use acrc_catalog::{law, message};
+use acrc_catalog::law;
 use acrc_motion::axis::{HomeInputs, HomingOptions, HomingStatus, Side};
 
 use super::Preload;
@@ -16,15 +16,16 @@ impl Axis {
 }
 
 impl Machine {
+    /// Refuses an axis that may not start to look for home.
+    pub(crate) fn may_home(&self, axis: u8) -> Result<(), ControllerError> {
+        self.may_move(axis)?;
+        if self.axis_in_motion(axis) { Err(ControllerError::InMotion) } else { Ok(()) }
+    }
+
     /// Starts to look for home (`JOG HOME`). Refused for an axis that moves.
     pub(crate) fn home(&mut self, axis: u8, side: Side) -> Result<(), ControllerError> {
         self.refresh_axes();
-        if self.refusal(axis).is_some() {
-            return Err(ControllerError::Said(message::SLAVE_KILLED));
-        }
-        if self.axis_in_motion(axis) {
-            return Err(ControllerError::InMotion);
-        }
+        self.may_home(axis)?;
         let flag = |law: acrc_catalog::Law| self.flags.get(law.at(u32::from(axis)));
         let options = HomingOptions {
             backup: flag(law::HOME_BACKUP_ENABLE),

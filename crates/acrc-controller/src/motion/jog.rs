@@ -1,6 +1,5 @@
 //! Orders to the jog profiler of an axis (guide, "Jog Profiler").
 
-use acrc_catalog::message;
 use acrc_motion::axis::Side;
 
 use super::settings::refused;
@@ -23,8 +22,8 @@ pub(crate) enum JogOrder {
 impl Machine {
     /// Gives an order to the jog profiler of an axis. A homing that is under way ends without home.
     pub(crate) fn jog(&mut self, axis: u8, order: JogOrder) -> Result<(), ControllerError> {
-        if order != JogOrder::Off && self.refusal(axis).is_some() {
-            return Err(ControllerError::Said(message::SLAVE_KILLED));
+        if order != JogOrder::Off {
+            self.may_move(axis)?;
         }
         self.refresh_axes();
         let state = &mut self.axes[usize::from(axis)];

@@ -1,9 +1,10 @@
 //! Kill All Motion Request and Kill All Moves as they spread over axes and masters (guide, "Kill All Motion Request vs. Kill All Moves").
 
-use acrc_catalog::{Law, law};
+use acrc_catalog::{Law, law, message};
 use acrc_motion::axis::{Groups, KillFlags, NumberSet, Refusal, members};
 
 use crate::axis::SlaveSlot;
+use crate::error::ControllerError;
 use crate::machine::Machine;
 use crate::orders::Order;
 
@@ -54,8 +55,13 @@ impl Machine {
         self.update_kills();
     }
 
+    /// Refuses an axis that may not start to move by its own profilers.
+    pub(crate) fn may_move(&self, axis: u8) -> Result<(), ControllerError> {
+        self.refusal(axis).map_or(Ok(()), |_| Err(ControllerError::Said(message::SLAVE_KILLED)))
+    }
+
     /// Why an axis may not start to move by its own profilers.
-    pub(crate) fn refusal(&self, axis: u8) -> Option<Refusal> {
+    fn refusal(&self, axis: u8) -> Option<Refusal> {
         self.kill_flags().refusal(&self.groups(), usize::from(axis), false)
     }
 

@@ -95,6 +95,7 @@ impl Machine {
 
     fn advance_axis(&mut self, axis: u8, dt: f64, arrays: &dyn Arrays) {
         self.resolve_tables(axis, arrays);
+        self.drop_lost_tables(axis, arrays);
         let state = &mut self.axes[usize::from(axis)];
         let before = state.own_offset();
         let cam = Points { arrays, segments: &state.cam_table.arrays };

@@ -209,3 +209,24 @@ fn a_kill_switches_a_hand_wheel_off() {
     ));
     assert_eq!(sim.prints(), ["100", "100"]);
 }
+
+#[test]
+fn a_cam_whose_array_has_gone_leaves_its_offset() {
+    let ran = follower(&format!("{TABLE}CAM ON Y\nX/0.5\n{THERE}CLEAR\nX/0.25\n{THERE}PRINT P12550")).run().clean();
+    assert_eq!(ran.record.output[0].text, "1000");
+    assert!(
+        ran.notes().contains(&"AXIS1: an array of its Cam has gone; the offset stays".to_owned()),
+        "{:?}",
+        ran.notes()
+    );
+}
+
+#[test]
+fn axes_go_on_together_or_not_at_all() {
+    let killed = "DETACH SLAVE1\nSET 8499\n";
+    for statement in ["GEAR ON X AXIS1", "JOG FWD AXIS0 AXIS1", "JOG HOME AXIS0 1 AXIS1 1"] {
+        let ran = follower(&format!("{killed}JOG VEL X10\nGEAR SRC X ENC2\n{statement}")).run();
+        assert_eq!(ran.record.faults.len(), 1, "{statement}");
+        assert!(!ran.bit(792), "{statement}");
+    }
+}
