@@ -1,5 +1,6 @@
 //! Cam and ballscrew tables: segments whose points are arrays of programs (guide, "Cam Profiler", "Setpoint Compensation").
 
+use acrc_catalog::{CommandId, command};
 use acrc_motion::axis::{Cam, CamSegment};
 
 use super::tables::{ArrayPlace, Arrays};
@@ -19,15 +20,41 @@ pub(crate) enum TableKind {
     Ballscrew,
 }
 
+/// A stretch of a table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment {
+    /// Counts of the source.
+    length: f64,
+    /// Where its points are.
+    pub(super) place: ArrayPlace,
+    /// How many points the array had when the profiler was told of it.
+    points: usize,
+}
+
 /// Where the points of a table are.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
-    /// Length in counts of the source, array, and how many points that had, of each segment.
-    segments: Vec<Option<(f64, ArrayPlace, usize)>>,
-    /// The arrays alone.
-    pub(super) arrays: Vec<Option<ArrayPlace>>,
+    pub(super) segments: Vec<Option<Segment>>,
     /// The profiler does not know all of it yet.
     fresh: bool,
+}
+
+impl TableKind {
+    /// The command that defines a segment.
+    fn segment(self) -> CommandId {
+        match self {
+            Self::Cam => command::CAM_SEG,
+            Self::Ballscrew => command::BSC_SEG,
+        }
+    }
+
+    /// The first word of its commands.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Cam => command::CAM.info().name,
+            Self::Ballscrew => command::BSC.info().name,
+        }
+    }
 }
 
 impl Axis {
@@ -48,7 +75,7 @@ impl Machine {
         }
         let (cam, table) = self.axes[usize::from(axis)].table(kind);
         cam.dim(segments);
-        *table = Table { segments: vec![None; segments], arrays: vec![None; segments], fresh: false };
+        *table = Table { segments: vec![None; segments], fresh: false };
         Ok(())
     }
 
@@ -60,7 +87,7 @@ impl Machine {
         (segment, length): (usize, f64),
         place: ArrayPlace,
     ) -> Result<(), ControllerError> {
-        let command = if kind == TableKind::Cam { "CAM SEG" } else { "BSC SEG" };
+        let command = kind.segment().info().name;
         if length <= 0.0 {
             let problem = format!("a segment of length {length} holds nothing");
             return Err(ControllerError::BadValue { command, problem });
@@ -71,8 +98,7 @@ impl Machine {
             let problem = format!("segment {segment} is outside the {count} segments of its DIM");
             return Err(ControllerError::BadValue { command, problem });
         };
-        *entry = Some((length, place, 0));
-        table.arrays[segment] = Some(place);
+        *entry = Some(Segment { length, place, points: 0 });
         table.fresh = true;
         self.motion.wake();
         Ok(())
@@ -116,10 +142,11 @@ impl Machine {
     pub(super) fn drop_lost_tables(&mut self, axis: u8, arrays: &dyn Arrays) {
         for kind in [TableKind::Cam, TableKind::Ballscrew] {
             let (cam, table) = self.axes[usize::from(axis)].table(kind);
-            let lost = |segment: &(f64, ArrayPlace, usize)| arrays.size(segment.1) < segment.2;
+            let lost = |segment: &Segment| arrays.size(segment.place) < segment.points;
             if cam.is_on() && table.segments.iter().flatten().any(lost) {
                 cam.halt();
-                self.notes.insert(format!("AXIS{axis}: an array of its {kind:?} has gone; the offset stays"));
+                let name = kind.name();
+                self.notes.insert(format!("AXIS{axis}: an array of its {name} has gone; the offset stays"));
             }
         }
     }
@@ -132,10 +159,9 @@ impl Machine {
                 continue;
             }
             for (index, segment) in table.segments.iter_mut().enumerate() {
-                let Some((length, place, points)) = segment else { continue };
-                let (length, place) = (*length, *place);
-                *points = arrays.size(place);
-                let points = *points;
+                let Some(segment) = segment else { continue };
+                segment.points = arrays.size(segment.place);
+                let Segment { length, place, points } = *segment;
                 if let Err(error) = cam.set_segment(index, CamSegment { length, points }) {
                     let (class, array) = (place.class, place.array);
                     self.notes.insert(format!("AXIS{axis}: segment {index} with {class}{array} is left out: {error}"));

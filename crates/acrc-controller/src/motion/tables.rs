@@ -4,6 +4,7 @@ use acrc_catalog::OperandClass;
 use acrc_motion::axis::CamPoints;
 use acrc_vm::Value;
 
+use super::cam::Segment;
 use crate::task::Task;
 
 /// An array of a program.
@@ -44,12 +45,12 @@ impl Arrays for NoArrays {
 /// The points of a cam table.
 pub(super) struct Points<'a> {
     pub(super) arrays: &'a dyn Arrays,
-    pub(super) segments: &'a [Option<ArrayPlace>],
+    pub(super) segments: &'a [Option<Segment>],
 }
 
 impl CamPoints for Points<'_> {
     fn point(&self, segment: usize, index: usize) -> f64 {
-        let place = self.segments.get(segment).copied().flatten();
-        place.and_then(|place| self.arrays.read(place, index)).unwrap_or(0.0)
+        let segment = self.segments.get(segment).copied().flatten();
+        segment.and_then(|segment| self.arrays.read(segment.place, index)).unwrap_or(0.0)
     }
 }

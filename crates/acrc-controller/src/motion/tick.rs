@@ -98,8 +98,8 @@ impl Machine {
         self.drop_lost_tables(axis, arrays);
         let state = &mut self.axes[usize::from(axis)];
         let before = state.own_offset();
-        let cam = Points { arrays, segments: &state.cam_table.arrays };
-        let ballscrew = Points { arrays, segments: &state.ballscrew_table.arrays };
+        let cam = Points { arrays, segments: &state.cam_table.segments };
+        let ballscrew = Points { arrays, segments: &state.ballscrew_table.segments };
         let counts = std::mem::take(&mut state.counts);
         state.profilers.advance(&counts, dt, &cam, &ballscrew);
         let after = state.own_offset();

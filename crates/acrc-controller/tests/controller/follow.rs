@@ -215,7 +215,7 @@ fn a_cam_whose_array_has_gone_leaves_its_offset() {
     let ran = follower(&format!("{TABLE}CAM ON Y\nX/0.5\n{THERE}CLEAR\nX/0.25\n{THERE}PRINT P12550")).run().clean();
     assert_eq!(ran.record.output[0].text, "1000");
     assert!(
-        ran.notes().contains(&"AXIS1: an array of its Cam has gone; the offset stays".to_owned()),
+        ran.notes().contains(&"AXIS1: an array of its CAM has gone; the offset stays".to_owned()),
         "{:?}",
         ran.notes()
     );
