@@ -20,7 +20,9 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-vm", &["acrc-image"]),
     ("acrc-controller", &["acrc-vm", "acrc-motion", "acrc-compile"]),
     ("acrc-store", &["acrc-controller"]),
-    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace"]),
+    ("acrc-server", &["acrc-wire", "acrc-controller"]),
+    ("acrc-link", &["acrc-wire", "acrc-analysis"]),
+    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace", "acrc-server", "acrc-link"]),
     ("xtask", &["acrc-lint"]),
 ];
 
