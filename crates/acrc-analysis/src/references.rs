@@ -113,7 +113,8 @@ fn bit_reference(alias_at: AliasAt<'_>, statement: &Statement, bit: &BitArgument
     Some(Reference { span: bit.span, class: OperandClass::Bit, number, alias, usage })
 }
 
-fn bit_usage(id: CommandId, negative: bool) -> Usage {
+/// What a command does with the bit that is its argument.
+pub fn bit_usage(id: CommandId, negative: bool) -> Usage {
     match id {
         command::SET | command::CLR | command::OUT | command::OUT_NOT => Usage::Write,
         command::INH => Usage::Wait { set: !negative },

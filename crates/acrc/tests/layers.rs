@@ -17,6 +17,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-analysis", &["acrc-compile"]),
     ("acrc-lint", &["acrc-analysis"]),
     ("acrc-fmt", &["acrc-syntax"]),
+    ("acrc-ide", &["acrc-lint", "acrc-fmt"]),
     ("acrc-vm", &["acrc-image"]),
     ("acrc-controller", &["acrc-vm", "acrc-motion", "acrc-compile"]),
     ("acrc-store", &["acrc-controller"]),

@@ -1,0 +1,15 @@
+//! What an editor asks about `AcroBASIC`, answered as plain data.
+//!
+//! Each feature is a file with one function over a database and a place: byte offsets go in, byte offsets and texts come
+//! out. What stands at a place is an [`Occurrence`] of an [`Entity`]; navigation, references, renaming and hover all
+//! begin with it.
+//!
+//! **Invariants.** Nothing here knows the language server protocol, lines and columns, or files on disk. A function reads
+//! the database and changes nothing, so it may run on a snapshot in any thread. Every function takes any offset, also one
+//! outside of the text or within a character, and never panics.
+
+mod occurrence;
+mod place;
+
+pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
+pub use place::{FilePosition, FileRange, level_of, statement_at};

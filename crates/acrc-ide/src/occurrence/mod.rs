@@ -1,0 +1,139 @@
+//! What has a name or a number, and where it occurs.
+
+mod collect;
+
+use acrc_analysis::query::{file_index, parse, symbols};
+use acrc_analysis::{Db, Project, SourceFile};
+use acrc_catalog::{CommandId, FunctionId, Keyword, ObjectKind, OperandClass};
+use acrc_diagnostics::Span;
+use acrc_syntax::units::Level;
+
+use self::collect::Collector;
+use crate::{FilePosition, level_of, statement_at};
+
+pub use acrc_analysis::index::Name;
+
+/// What something is: two places mean the same thing when their entities are equal.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Entity {
+    /// A command of the language.
+    Command(CommandId),
+    /// A function.
+    Function(FunctionId),
+    /// A word that is only part of a statement: `ALL`, `CLOCK`.
+    Word(Keyword),
+    /// An object by number: `AXIS0`, `ENC3`, `PROG1`.
+    Object {
+        /// Its kind.
+        kind: ObjectKind,
+        /// Its number, when one is written.
+        number: Option<u32>,
+    },
+    /// A parameter, flag or variable.
+    Operand {
+        /// Its class.
+        class: OperandClass,
+        /// Its number, when it is known before the program runs.
+        number: Option<u64>,
+        /// The program to which it belongs; `None` for parameters and flags, which belong to the controller.
+        level: Option<Level>,
+    },
+    /// An alias, which is known everywhere.
+    Alias(Name),
+    /// The name of an axis, in capital letters, which is known in a program.
+    Axis(Level, Name),
+    /// A label of a program.
+    Label(Level, Name),
+    /// A line number of a program.
+    Line(Level, u32),
+}
+
+/// What is done with something at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// It is declared.
+    Define,
+    /// It is used.
+    Read,
+    /// It gets another value.
+    Write,
+    /// It is jumped to with `GOTO`.
+    Jump,
+    /// It is called with `GOSUB`.
+    Call,
+}
+
+/// Something at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Occurrence {
+    /// Where its name or number stands.
+    pub span: Span,
+    /// What it is.
+    pub entity: Entity,
+    /// What is done with it.
+    pub role: Role,
+    /// Index of the statement in the tree of the file.
+    pub statement: u32,
+}
+
+/// What stands at a place. Of things within each other the innermost; between two that touch, the one that begins.
+pub fn at(db: &dyn Db, position: FilePosition) -> Option<Occurrence> {
+    let FilePosition { project, file, offset } = position;
+    let statement = statement_at(db, file, offset)?;
+    // A statement that ends where the next one begins may have a name there.
+    let candidates = [statement.checked_sub(1), Some(statement)].into_iter().flatten();
+    let mut found = Vec::new();
+    for statement in candidates {
+        collect(db, project, file, statement, &mut found);
+    }
+    let touching = found.into_iter().filter(|occurrence| {
+        occurrence.span.start <= offset && offset <= occurrence.span.end && !occurrence.span.is_empty()
+    });
+    touching.min_by_key(|occurrence| (offset == occurrence.span.end, occurrence.span.len()))
+}
+
+/// Everything that occurs in a file, in the order of the text.
+pub fn in_file(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Occurrence> {
+    let mut found = Vec::new();
+    for section in &file_index(db, file).sections {
+        for statement in section.section.opener.into_iter().chain(section.section.statements.clone()) {
+            collect_at(db, project, file, section.section.level, statement, &mut found);
+        }
+        if let Some(closer) = section.section.closer {
+            collect_at(db, project, file, section.section.level, closer, &mut found);
+        }
+    }
+    found
+}
+
+/// Where something occurs in the files of a project, in their order.
+pub fn everywhere(db: &dyn Db, project: Project, entity: &Entity) -> Vec<(SourceFile, Occurrence)> {
+    let files = project.files(db).iter().copied();
+    files
+        .flat_map(|file| in_file(db, project, file).into_iter().map(move |occurrence| (file, occurrence)))
+        .filter(|(_, occurrence)| occurrence.entity == *entity)
+        .collect()
+}
+
+fn collect(db: &dyn Db, project: Project, file: SourceFile, statement: u32, found: &mut Vec<Occurrence>) {
+    collect_at(db, project, file, level_of(db, file, statement), statement, found);
+}
+
+fn collect_at(
+    db: &dyn Db,
+    project: Project,
+    file: SourceFile,
+    level: Level,
+    statement: u32,
+    found: &mut Vec<Occurrence>,
+) {
+    let tree = parse(db, file);
+    let Some(node) = tree.statements().get(statement as usize) else { return };
+    let symbols = symbols(db, project);
+    let is_alias = |name: &str| symbols.alias(name).is_some();
+    let first = found.len();
+    Collector { text: file.text(db), tree, level, is_alias: &is_alias, statement, found }.statement(node);
+    if let Some(new) = found.get_mut(first..) {
+        new.sort_by_key(|occurrence| (occurrence.span.start, occurrence.span.end));
+    }
+}

@@ -1,0 +1,4 @@
+//! Editor features through the public surface of the crate.
+
+mod fixture;
+mod occurrences;
