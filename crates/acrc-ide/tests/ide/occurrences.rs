@@ -23,14 +23,14 @@ ENDP
 #[test]
 fn everything_with_a_name_or_a_number_occurs_once() {
     let fixture = Fixture::new(PROJECT);
-    let mut shown = String::new();
+    let mut shown = Vec::new();
     for file in &fixture.files {
         for occurrence in in_file(&fixture.db, fixture.project, *file) {
             let place = fixture.show(*file, occurrence.span);
-            shown.push_str(&format!("{place} = {:?} {:?}\n", occurrence.role, occurrence.entity));
+            shown.push(format!("{place} = {:?} {:?}", occurrence.role, occurrence.entity));
         }
     }
-    insta::assert_snapshot!(shown);
+    insta::assert_snapshot!(shown.join("\n"));
 }
 
 fn places(text: &str) -> Vec<String> {
