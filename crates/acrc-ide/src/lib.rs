@@ -10,6 +10,8 @@
 
 mod occurrence;
 mod place;
+mod semantic_tokens;
 
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
+pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};

@@ -94,13 +94,20 @@ pub fn at(db: &dyn Db, position: FilePosition) -> Option<Occurrence> {
 
 /// Everything that occurs in a file, in the order of the text.
 pub fn in_file(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Occurrence> {
+    in_span(db, project, file, Span::new(0, file.text(db).len() as u32))
+}
+
+/// What occurs in the statements that reach into a part of a file, in the order of the text.
+pub(crate) fn in_span(db: &dyn Db, project: Project, file: SourceFile, part: Span) -> Vec<Occurrence> {
+    let statements = parse(db, file).statements();
+    let first = statements.partition_point(|statement| statement.span.end < part.start) as u32;
+    let end = statements.partition_point(|statement| statement.span.start < part.end) as u32;
     let mut found = Vec::new();
     for section in &file_index(db, file).sections {
-        for statement in section.section.opener.into_iter().chain(section.section.statements.clone()) {
-            collect_at(db, project, file, section.section.level, statement, &mut found);
-        }
-        if let Some(closer) = section.section.closer {
-            collect_at(db, project, file, section.section.level, closer, &mut found);
+        let section = &section.section;
+        let own = section.opener.into_iter().chain(section.statements.clone()).chain(section.closer);
+        for statement in own.filter(|statement| (first..end).contains(statement)) {
+            collect_at(db, project, file, section.level, statement, &mut found);
         }
     }
     found

@@ -2,3 +2,4 @@
 
 mod fixture;
 mod occurrences;
+mod semantic_tokens;
