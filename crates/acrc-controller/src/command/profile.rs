@@ -8,6 +8,7 @@ use super::arguments::scalar;
 use super::master_settings::number;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::machine::Machine;
 use crate::master::Master;
 
 pub(super) const COMMANDS: &[Entry] = &[
@@ -40,18 +41,29 @@ fn profile_value(context: &mut Context, call: &Call) -> Result<Outcome, Controll
             let value = current(master, call.command);
             context.report(value);
         }
-        Some(value) if value < 0.0 => {
-            let command = call.command.info().name;
-            return Err(ControllerError::BadValue { command, problem: format!("{value} is negative") });
-        }
-        Some(value) => {
-            change(master, call.command, value).map_err(refused)?;
-            if call.command == command::ROV {
-                return context.keep_for_master(call, index, vec![number(value)]);
-            }
-        }
+        Some(value) => context.machine.set_profile_value(index, call.command, value)?,
     }
     Ok(Outcome::Done)
+}
+
+impl Machine {
+    /// Gives a master what `FOV` and its like set.
+    pub(crate) fn set_profile_value(
+        &mut self,
+        master: usize,
+        command: CommandId,
+        value: f64,
+    ) -> Result<(), ControllerError> {
+        if value < 0.0 {
+            let problem = format!("{value} is negative");
+            return Err(ControllerError::BadValue { command: command.info().name, problem });
+        }
+        change(&mut self.masters[master], command, value).map_err(refused)?;
+        if command == command::ROV {
+            self.set_setting(command, master as u16, vec![number(value)])?;
+        }
+        Ok(())
+    }
 }
 
 fn current(master: &mut Master, command: CommandId) -> f64 {

@@ -29,7 +29,7 @@ impl From<ControllerError> for Refusal {
 }
 
 impl Controller {
-    pub(super) fn apply_requests(&mut self, observer: &mut dyn Observer) {
+    pub(crate) fn apply_requests(&mut self, observer: &mut dyn Observer) {
         for request in std::mem::take(&mut self.machine.requests) {
             self.apply(request, observer);
             if request == Request::Memories(Operation::Reboot) {

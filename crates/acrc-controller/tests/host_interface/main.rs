@@ -1,0 +1,5 @@
+//! What a host does with a controller between two ticks (guide, "Binary Host Interface"; `docs/host-interface.md`).
+
+mod flags;
+mod parameters;
+mod support;
