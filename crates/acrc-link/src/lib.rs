@@ -2,12 +2,23 @@
 //!
 //! - [`Console`] is a command line of a controller: a line goes out, an [`Answer`] comes back. What a host does is written
 //!   against it, and knows nothing of sockets.
+//! - [`Connection`] is one over TCP, on port 5002 (text) or 5006 (text and packets), or over any other [`Transport`].
 //! - [`LinkError`] says why something could not be done, with the value that failed.
+//!
+//! Nothing here guesses where a controller is, and nothing waits without an end: every wait has a time after which it is
+//! an error, and ends when [`Settings::interrupted`] says so.
 
 mod answer;
+mod connection;
 mod console;
+mod endpoint;
 mod error;
+mod reply;
+mod transport;
 
 pub use answer::{Answer, parse_prompt};
+pub use connection::{Connection, ESCAPE, Settings};
 pub use console::Console;
+pub use endpoint::{Endpoint, EndpointError, Protocol};
 pub use error::LinkError;
+pub use transport::{Tcp, Transport};

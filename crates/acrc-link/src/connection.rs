@@ -1,0 +1,374 @@
+//! A connection to a controller: text, and packets beside it.
+
+use std::time::Duration;
+
+use acrc_wire::binary::Replies;
+use acrc_wire::{Channel, Decoder, Item, Reply, Request};
+
+use crate::reply::{Progress, progress};
+use crate::transport::{Tcp, Transport};
+use crate::{Answer, Console, Endpoint, LinkError, Protocol};
+
+/// ESC: leaves what a channel shows or waits for.
+pub const ESCAPE: u8 = 0x1b;
+
+/// Nothing more comes for so long behind what looks like a prompt: it is one.
+const QUIET: Duration = Duration::from_millis(100);
+/// The longest time between two looks at whether the user gives up.
+const BEAT: Duration = Duration::from_millis(50);
+/// Packets that are under way at most: their answers fit what sockets hold, so that neither side waits for the other.
+const WINDOW: usize = 256;
+/// What is printed to see where the answers begin.
+const MARK: &str = "acrc-1";
+
+/// How a connection is made and how long is waited.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// For a connection.
+    pub connect: Duration,
+    /// For an answer, or for the next piece of one.
+    pub answer: Duration,
+    /// How often connecting is tried again.
+    pub retries: u32,
+    /// Whether the user has given up.
+    pub interrupted: fn() -> bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        let five = Duration::from_secs(5);
+        Self { connect: five, answer: five, retries: 0, interrupted: || false }
+    }
+}
+
+/// A connection to a controller.
+pub struct Connection<T> {
+    transport: T,
+    settings: Settings,
+    /// What the controller is called in errors.
+    name: String,
+    /// Packets are possible.
+    channel: Option<(Channel, Decoder<Replies>)>,
+    /// Text that has come and belongs to no answer yet.
+    text: String,
+    /// The controller echoes what is typed.
+    echo: bool,
+    /// Answers can be told apart; not before the first prompt, nor after an answer that did not come.
+    in_step: bool,
+}
+
+impl Connection<Tcp> {
+    /// Connects over TCP and waits for the prompt.
+    ///
+    /// # Errors
+    /// When there is no connection, or nothing answers as a controller does.
+    pub fn open(endpoint: &Endpoint, protocol: (u16, Protocol), settings: Settings) -> Result<Self, LinkError> {
+        let (port, protocol) = protocol;
+        let tcp = Tcp::connect(endpoint, port, settings.connect, settings.retries, settings.interrupted)?;
+        Self::over(tcp, endpoint.at(port).to_string(), protocol, settings)
+    }
+}
+
+impl<T: Transport> Connection<T> {
+    /// Speaks to a controller over what carries the bytes already, and waits for the prompt.
+    ///
+    /// # Errors
+    /// When nothing answers as a controller does.
+    pub fn over(transport: T, name: String, protocol: Protocol, settings: Settings) -> Result<Self, LinkError> {
+        let channel = Channel::ethernet();
+        let channel = (protocol == Protocol::Mixed).then(|| (channel, channel.replies()));
+        let mut connection =
+            Self { transport, settings, name, channel, text: String::new(), echo: false, in_step: false };
+        connection.synchronize()?;
+        Ok(connection)
+    }
+
+    /// Whether packets are possible.
+    pub const fn has_packets(&self) -> bool {
+        self.channel.is_some()
+    }
+
+    /// How it was made.
+    pub const fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// From now on nothing is given up when the user wants to: what is left to do is to leave things in order.
+    pub fn finish_undisturbed(&mut self) {
+        self.settings.interrupted = || false;
+    }
+
+    /// Ends the connection as the Ethernet specification asks for.
+    pub fn close(mut self) {
+        self.transport.close();
+    }
+
+    /// Brings the channel to a prompt, and finds out whether it echoes.
+    ///
+    /// ESC ends what the channel shows, an empty line brings the prompt. A channel without a prompt is given one.
+    fn synchronize(&mut self) -> Result<(), LinkError> {
+        self.in_step = false;
+        self.echo = false;
+        self.text.clear();
+        self.write(&[ESCAPE, b'\r'], "")?;
+        if !self.settle()? {
+            self.write(b"ECHO 1\r", "ECHO 1")?;
+            if !self.settle()? {
+                let what = match self.text.trim() {
+                    "" => "nothing comes".to_owned(),
+                    text => format!("{:?}", text.chars().take(60).collect::<String>()),
+                };
+                return Err(LinkError::NoPrompt { endpoint: self.name.clone(), what });
+            }
+        }
+        self.in_step = true;
+        let line = format!("? \"{MARK}\"");
+        self.text.clear();
+        self.write_line(&line)?;
+        loop {
+            // What the empty line left may still come before it.
+            let before = self.text.rfind(&line).and_then(|place| self.text.get(..place));
+            let echo = before.is_some_and(|before| before.is_empty() || before.ends_with(['\n', '\r', '>']));
+            let printed = self.text.lines().any(|line| line.trim() == MARK);
+            match progress(&self.text, &line, echo) {
+                Progress::Whole(..) if echo || printed => {
+                    self.echo = echo;
+                    self.text.clear();
+                    return Ok(());
+                }
+                _ => {}
+            }
+            if !self.more(self.settings.answer, &line)? {
+                self.in_step = false;
+                return Err(LinkError::Timeout { line, after: self.settings.answer });
+            }
+        }
+    }
+
+    /// Reads until a prompt is followed by silence. False when none comes.
+    fn settle(&mut self) -> Result<bool, LinkError> {
+        loop {
+            let at_prompt = matches!(progress(&self.text, "", false), Progress::Whole(..));
+            let longest = if at_prompt { QUIET } else { self.settings.answer };
+            if !self.more(longest, "")? {
+                return Ok(at_prompt);
+            }
+        }
+    }
+
+    fn exchange(&mut self, line: &str, patience: Duration) -> Result<Answer, LinkError> {
+        check(line)?;
+        if !self.in_step {
+            self.synchronize()?;
+        }
+        self.drop_leftovers(line)?;
+        self.write_line(line)?;
+        self.in_step = false;
+        loop {
+            let (lines, prompt) = match progress(&self.text, line, self.echo) {
+                Progress::Whole(lines, prompt) => (lines, prompt),
+                Progress::MaybeWhole(lines, prompt) => {
+                    if self.more(QUIET, line)? {
+                        continue;
+                    }
+                    (lines, prompt)
+                }
+                Progress::Partial => {
+                    if self.more(patience, line)? {
+                        continue;
+                    }
+                    return Err(LinkError::Timeout { line: line.to_owned(), after: patience });
+                }
+            };
+            self.in_step = true;
+            self.text.clear();
+            return Ok(Answer { command: line.to_owned(), lines, prompt });
+        }
+    }
+
+    /// Drops what came since the last answer. Without an echo it would be taken for a part of the next one.
+    fn drop_leftovers(&mut self, line: &str) -> Result<(), LinkError> {
+        self.text.clear();
+        while !self.echo && self.more(Duration::ZERO, line)? {
+            self.text.clear();
+        }
+        Ok(())
+    }
+
+    fn write_line(&mut self, line: &str) -> Result<(), LinkError> {
+        let bytes: Vec<u8> = line.chars().filter_map(|character| u8::try_from(character).ok()).chain([b'\r']).collect();
+        self.write(&bytes, line)
+    }
+
+    /// Sends text, in packets of four where that is spoken.
+    fn write(&mut self, text: &[u8], line: &str) -> Result<(), LinkError> {
+        match &self.channel {
+            None => self.write_bytes(text, line),
+            Some((channel, _)) => {
+                let mut bytes = Vec::new();
+                channel.text(text, &mut bytes);
+                self.write_bytes(&bytes, line)
+            }
+        }
+    }
+
+    fn write_bytes(&mut self, bytes: &[u8], line: &str) -> Result<(), LinkError> {
+        let sent = self.transport.write_within(bytes, self.settings.answer);
+        sent.map_err(|reason| LinkError::Broken { line: line.to_owned(), reason })
+    }
+
+    /// Reads what comes next, for at most so long; packets among it are dropped. False when nothing comes.
+    fn more(&mut self, longest: Duration, line: &str) -> Result<bool, LinkError> {
+        self.read_on(longest, line, &mut |_| {})
+    }
+
+    /// Reads what comes next, for at most so long. False when nothing comes.
+    fn read_on(&mut self, longest: Duration, line: &str, found: Found<'_>) -> Result<bool, LinkError> {
+        // Counted by what the transport was given, so that one that keeps a time of its own decides how long that is.
+        let mut left = longest;
+        let mut buffer = [0; 4096];
+        loop {
+            if (self.settings.interrupted)() {
+                return Err(LinkError::Interrupted);
+            }
+            let beat = left.min(BEAT);
+            match self.transport.read_within(&mut buffer, beat) {
+                Ok(Some(0)) => return Err(LinkError::Closed { line: line.to_owned() }),
+                Ok(Some(count)) => {
+                    self.take_in(buffer.get(..count).unwrap_or_default(), found);
+                    return Ok(true);
+                }
+                Ok(None) if left <= beat => return Ok(false),
+                Ok(None) => left -= beat,
+                Err(reason) => return Err(LinkError::Broken { line: line.to_owned(), reason }),
+            }
+        }
+    }
+
+    fn take_in(&mut self, bytes: &[u8], found: Found<'_>) {
+        let Some((_, decoder)) = &mut self.channel else {
+            self.text.extend(bytes.iter().copied().filter(|byte| *byte != 0).map(char::from));
+            return;
+        };
+        let mut input = bytes;
+        while let Some(item) = decoder.next_item(&mut input) {
+            match item {
+                Item::Text(text) => self.text.extend(text.iter().copied().map(char::from)),
+                Item::Packet(reply) => found(Ok(reply)),
+                Item::Unreadable(malformed) => found(Err(malformed.to_string())),
+            }
+        }
+    }
+
+    /// Sends packets that are answered, many under way at a time, and gives each answer with the place of its question.
+    ///
+    /// # Errors
+    /// When an answer does not come, or another one than was asked for.
+    pub fn ask(
+        &mut self,
+        requests: &[Request<'_>],
+        mut answered: impl FnMut(usize, &Reply<'_>),
+    ) -> Result<(), LinkError> {
+        let mut next = 0;
+        for chunk in requests.chunks(WINDOW) {
+            self.post(chunk)?;
+            let end = next + chunk.len();
+            while next < end {
+                let waited = what(requests.get(next));
+                let mut wrong = None;
+                let mut found = |reply: Result<Reply<'_>, String>| match reply {
+                    Ok(reply) if requests.get(next).is_some_and(|request| answers(request, &reply)) => {
+                        answered(next, &reply);
+                        next += 1;
+                    }
+                    Ok(reply) => wrong = Some(format!("{reply:?}")),
+                    Err(problem) => wrong = Some(problem),
+                };
+                let came = self.read_on(self.settings.answer, &waited, &mut found)?;
+                if let Some(answer) = wrong {
+                    return Err(LinkError::NotUnderstood { line: waited, answer });
+                }
+                if !came {
+                    return Err(LinkError::Timeout { line: waited, after: self.settings.answer });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Sends packets. Those that are not answered are done with that.
+    ///
+    /// # Errors
+    /// When they cannot be sent, or the connection speaks text only.
+    pub fn post(&mut self, requests: &[Request<'_>]) -> Result<(), LinkError> {
+        let line = what(requests.first());
+        let Some((channel, _)) = &self.channel else {
+            return Err(LinkError::NotSendable { line, problem: "the connection speaks text only" });
+        };
+        let mut bytes = Vec::new();
+        for request in requests {
+            channel.request(request, &mut bytes);
+        }
+        self.write_bytes(&bytes, &line)
+    }
+}
+
+/// Is given each packet that comes, or why it cannot be read.
+type Found<'a> = &'a mut dyn FnMut(Result<Reply<'_>, String>);
+
+impl<T: Transport> Console for Connection<T> {
+    fn command(&mut self, line: &str) -> Result<Answer, LinkError> {
+        self.exchange(line, self.settings.answer)
+    }
+
+    fn command_within(&mut self, line: &str, patience: Duration) -> Result<Answer, LinkError> {
+        self.exchange(line, patience)
+    }
+
+    fn send_key(&mut self, key: u8) -> Result<(), LinkError> {
+        let result = self.write(&[key], "");
+        // Without an echo, what the key brings could be taken for the next answer.
+        self.in_step &= self.echo;
+        result
+    }
+}
+
+/// Whether a line can be sent as one line.
+fn check(line: &str) -> Result<(), LinkError> {
+    let problem = if line.contains(['\r', '\n']) {
+        "it is more than one line"
+    } else if line.chars().any(|character| character.is_control() && character != '\t') {
+        "it has a control character"
+    } else if line.chars().any(|character| u8::try_from(character).is_err()) {
+        "it has a character that Latin-1 lacks"
+    } else {
+        return Ok(());
+    };
+    Err(LinkError::NotSendable { line: line.escape_debug().to_string(), problem })
+}
+
+/// Whether a reply is the answer to a request: the controller repeats what was asked for.
+fn answers(request: &Request<'_>, reply: &Reply<'_>) -> bool {
+    match (request, reply) {
+        (Request::Data(asked), Reply::Data(data)) => *asked == data.request(),
+        (Request::GetLong { parameter: asked }, Reply::Long { parameter, .. })
+        | (Request::GetSingle { parameter: asked }, Reply::Single { parameter, .. })
+        | (Request::ParameterAddress { parameter: asked }, Reply::ParameterAddress { parameter, .. }) => {
+            asked == parameter
+        }
+        (Request::Peek(_), Reply::Peek(_)) => true,
+        (Request::Address(asked), Reply::Address { request, .. }) => asked == request,
+        _ => false,
+    }
+}
+
+/// What is asked for, in words.
+fn what(request: Option<&Request<'_>>) -> String {
+    match request {
+        Some(Request::GetLong { parameter } | Request::GetSingle { parameter }) => format!("get P{parameter}"),
+        Some(Request::SetLong { parameter, .. } | Request::SetSingle { parameter, .. }) => format!("set P{parameter}"),
+        Some(Request::Data(data)) => format!("get group {:#04x}, index {}", data.group, data.index),
+        Some(request) => format!("{request:?}"),
+        None => "no packet".to_owned(),
+    }
+}
