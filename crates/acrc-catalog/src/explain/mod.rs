@@ -65,11 +65,20 @@ pub fn explain(topic: &str) -> Explanation {
     Explanation::Entries(entries)
 }
 
+impl Entry {
+    /// What is known of it, as Markdown that ends in a line break.
+    pub fn markdown(&self) -> String {
+        render::entry(self).markdown()
+    }
+}
+
 impl Explanation {
     /// The answer as plain text, ending in a line break.
     pub fn render(&self) -> String {
         match self {
-            Self::Entries(entries) => entries.iter().map(render::entry).collect::<Vec<_>>().join("\n"),
+            Self::Entries(entries) => {
+                entries.iter().map(|entry| render::entry(entry).plain()).collect::<Vec<_>>().join("\n")
+            }
             Self::Near { topic, suggestions } if suggestions.is_empty() => {
                 format!("nothing is known about `{topic}`\n")
             }

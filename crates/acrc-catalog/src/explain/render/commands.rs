@@ -3,11 +3,11 @@
 use super::{Sheet, numbers};
 use crate::{Argument, Command, CommandId, Keyword, ObjectKind, all_commands};
 
-pub(super) fn command(command: &Command) -> String {
+pub(super) fn command(command: &Command) -> Sheet {
     let arguments: Vec<[&str; 5]> = command.arguments.iter().map(cells).collect();
     Sheet::new(command.name, &what(command))
         .summary(command.summary)
-        .fact("form", command.signature)
+        .code("form", command.signature)
         .table(["argument", "kind", "unit", "range", "default"], &arguments)
         .fact("levels", levels(command))
         .fact("reports", command.report)
@@ -48,16 +48,16 @@ fn related(command: &Command) -> impl Iterator<Item = &'static str> {
     ids.into_iter().map(|id| id.info().name)
 }
 
-pub(super) fn keyword(keyword: Keyword) -> String {
+pub(super) fn keyword(keyword: Keyword) -> Sheet {
     let written = |command: &Command| {
         command.signature.split_whitespace().any(|word| word.trim_matches(['{', '}']) == keyword.name())
     };
     let uses = all_commands().filter(|command| !command.clause && command.name != keyword.name() && written(command));
-    Sheet::new(keyword.name(), "part of a statement").list("in", uses.map(|command| command.name)).end()
+    Sheet::new(keyword.name(), "part of a statement").list("in", uses.map(|command| command.name))
 }
 
-pub(super) fn object(kind: ObjectKind) -> String {
+pub(super) fn object(kind: ObjectKind) -> Sheet {
     let written = format!("{kind}n");
     let uses = all_commands().filter(|command| command.signature.contains(&written));
-    Sheet::new(&written, "numbered object").list("in", uses.map(|command| command.name)).end()
+    Sheet::new(&written, "numbered object").list("in", uses.map(|command| command.name))
 }

@@ -8,7 +8,7 @@ use super::sheet::Sheet;
 use crate::{Function, Message, Model, Operand, OperatorInfo, TypeClass};
 
 /// The page of an entry.
-pub(super) fn entry(entry: &Entry) -> String {
+pub(super) fn entry(entry: &Entry) -> Sheet {
     match entry {
         Entry::Command(command) => commands::command(command),
         Entry::Function(function) => self::function(function),
@@ -25,10 +25,10 @@ pub(super) fn entry(entry: &Entry) -> String {
     }
 }
 
-fn function(function: &Function) -> String {
+fn function(function: &Function) -> Sheet {
     Sheet::new(function.name, "function")
         .summary(function.summary)
-        .fact("form", call(function))
+        .code("form", call(function))
         .fact("result", function.result.name())
         .fact("domain", function.domain)
         .fact("note", function.note)
@@ -48,7 +48,7 @@ fn call(function: &Function) -> String {
     format!("{}({form})", function.name)
 }
 
-fn operator(info: &OperatorInfo) -> String {
+fn operator(info: &OperatorInfo) -> Sheet {
     Sheet::new(info.symbol, "operator")
         .summary(info.summary)
         .fact("operands", info.operands)
@@ -59,7 +59,7 @@ fn operator(info: &OperatorInfo) -> String {
         .origin(info.source, info.confidence)
 }
 
-fn operand(operand: &Operand) -> String {
+fn operand(operand: &Operand) -> Sheet {
     Sheet::new(operand.name, "operand")
         .summary(operand.summary)
         .fact("numbers", operand.index)
@@ -68,7 +68,7 @@ fn operand(operand: &Operand) -> String {
         .origin(operand.source, operand.confidence)
 }
 
-fn model(model: &Model) -> String {
+fn model(model: &Model) -> Sheet {
     Sheet::new(model.name, "controller model")
         .fact("programs", model.programs.to_string())
         .fact("PLC programs", model.plcs.to_string())
@@ -83,7 +83,7 @@ fn model(model: &Model) -> String {
         .origin(model.source, model.confidence)
 }
 
-fn message(message: &Message) -> String {
+fn message(message: &Message) -> Sheet {
     Sheet::new(message.text, "message of the controller")
         .summary(message.meaning)
         .origin(message.source, message.confidence)

@@ -5,7 +5,7 @@ use crate::{
     Access, AddressLaw, BitInfo, BitRow, CommandId, Known, ParameterInfo, ParameterRow, SetBy, all_bits, all_parameters,
 };
 
-pub(super) fn parameter(info: &ParameterInfo) -> String {
+pub(super) fn parameter(info: &ParameterInfo) -> Sheet {
     let name = format!("P{}", info.number);
     let title = match info.known {
         Known::Row => info.title,
@@ -30,7 +30,7 @@ pub(super) fn parameter(info: &ParameterInfo) -> String {
     close(sheet.fact("note", info.note), info.source, info.confidence)
 }
 
-pub(super) fn bit(info: &BitInfo) -> String {
+pub(super) fn bit(info: &BitInfo) -> Sheet {
     let name = format!("BIT{}", info.number);
     let title = match info.known {
         Known::Row => info.title,
@@ -51,7 +51,7 @@ pub(super) fn bit(info: &BitInfo) -> String {
     close(sheet.fact("note", info.note), info.source, info.confidence)
 }
 
-pub(super) fn parameter_field(row: &ParameterRow) -> String {
+pub(super) fn parameter_field(row: &ParameterRow) -> Sheet {
     let laws: Vec<String> =
         all_parameters().filter(|other| other.field == row.field).map(|row| law("P", &row.law)).collect();
     Sheet::new(row.title, "parameter")
@@ -69,7 +69,7 @@ pub(super) fn parameter_field(row: &ParameterRow) -> String {
         .origin(row.source, row.confidence)
 }
 
-pub(super) fn bit_field(row: &BitRow) -> String {
+pub(super) fn bit_field(row: &BitRow) -> Sheet {
     let laws: Vec<String> =
         all_bits().filter(|other| other.field == row.field).map(|row| law("BIT", &row.law)).collect();
     Sheet::new(row.title, "flag")
@@ -108,8 +108,8 @@ fn power_up(row: &ParameterRow) -> String {
     row.defaults.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
-fn close(sheet: Sheet, source: &str, confidence: crate::Confidence) -> String {
-    if source.is_empty() { sheet.end() } else { sheet.origin(source, confidence) }
+fn close(sheet: Sheet, source: &str, confidence: crate::Confidence) -> Sheet {
+    if source.is_empty() { sheet } else { sheet.origin(source, confidence) }
 }
 
 fn access(access: Access) -> &'static str {
