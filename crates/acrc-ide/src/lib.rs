@@ -8,10 +8,13 @@
 //! the database and changes nothing, so it may run on a snapshot in any thread. Every function takes any offset, also one
 //! outside of the text or within a character, and never panics.
 
+mod hover;
 mod occurrence;
 mod place;
+mod remark;
 mod semantic_tokens;
 
+pub use hover::{Hover, hover};
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
 pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};

@@ -6,7 +6,7 @@ use acrc_diagnostics::Span;
 use acrc_syntax::ast::{Argument, Command, Expr, ExprKind, Statement, StatementKind};
 
 use crate::Context;
-use crate::operands::{Reference, Variable, is_local};
+use crate::operands::{Reference, Variable};
 
 /// One place at which a variable is used.
 #[derive(Clone, Copy, Debug)]
@@ -105,10 +105,10 @@ impl Locals {
             return;
         }
         match Reference::of(context, expr) {
-            Some(Reference::Known(variable)) if is_local(variable.class) => {
+            Some(Reference::Known(variable)) if variable.class.is_local() => {
                 self.mentions.push(Mention { variable, statement, span: expr.span, how });
             }
-            Some(Reference::Computed(class)) if is_local(class) && !self.is_computed(class) => {
+            Some(Reference::Computed(class)) if class.is_local() && !self.is_computed(class) => {
                 self.computed.push(class);
             }
             _ => {}

@@ -69,11 +69,6 @@ impl Variable {
     }
 }
 
-/// Whether a class belongs to a program alone; parameters and flags belong to the controller.
-pub(crate) fn is_local(class: OperandClass) -> bool {
-    !matches!(class, OperandClass::Parameter | OperandClass::Bit)
-}
-
 /// A number written as one, in parentheses or not.
 fn whole_number(expr: &Expr) -> Option<u64> {
     match &expr.kind {

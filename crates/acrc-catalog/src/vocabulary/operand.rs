@@ -34,6 +34,11 @@ impl OperandClass {
         matches!(self, Self::La | Self::Sa | Self::Da | Self::StringA)
     }
 
+    /// Whether it belongs to a program alone; parameters and flags belong to the controller.
+    pub const fn is_local(self) -> bool {
+        !matches!(self, Self::Parameter | Self::Bit)
+    }
+
     /// The type of the value. `None` for [`OperandClass::Parameter`], whose type depends on its number ([`crate::parameter`]).
     pub const fn value_type(self) -> Option<ValueType> {
         match self {

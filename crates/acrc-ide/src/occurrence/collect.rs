@@ -165,8 +165,7 @@ impl Collector<'_> {
             Some(_) => Span::new(whole.start, operand.index.span.end),
             None => whole,
         };
-        let global = matches!(operand.class, OperandClass::Parameter | OperandClass::Bit);
-        let level = (!global).then_some(self.level);
+        let level = operand.class.is_local().then_some(self.level);
         let number = walk::whole(&operand.index);
         self.add(span, Entity::Operand { class: operand.class, number, level }, role);
     }

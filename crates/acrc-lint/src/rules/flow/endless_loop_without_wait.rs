@@ -6,7 +6,7 @@ use acrc_syntax::ast::{Statement, StatementKind};
 use acrc_syntax::blocks::{Block, BlockKind};
 
 use crate::Context;
-use crate::operands::{Reference, condition, is_local, is_repeatable};
+use crate::operands::{Reference, condition, is_repeatable};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -63,7 +63,7 @@ fn is_idle(context: &Context<'_>, statement: &Statement) -> bool {
         StatementKind::Label(_) | StatementKind::Remark(_) => true,
         StatementKind::Assign(assign) => {
             let target = Reference::of(context, &assign.target);
-            target.is_some_and(|target| is_local(target.class())) && is_repeatable(&assign.value)
+            target.is_some_and(|target| target.class().is_local()) && is_repeatable(&assign.value)
         }
         _ => false,
     }

@@ -8,7 +8,7 @@ use acrc_syntax::blocks::BlockKind;
 
 use crate::Context;
 use crate::locals::Locals;
-use crate::operands::{Variable, condition, is_local, is_repeatable};
+use crate::operands::{Variable, condition, is_repeatable};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -94,7 +94,7 @@ fn local_variables(context: &Context<'_>, condition: &Expr) -> Option<Vec<Variab
     let mut variables = Some(Vec::new());
     walk::each(condition, &mut |expr| {
         if let (ExprKind::Operand(_) | ExprKind::Alias, Some(list)) = (&expr.kind, &mut variables) {
-            match Variable::of(context, expr).filter(|variable| is_local(variable.class)) {
+            match Variable::of(context, expr).filter(|variable| variable.class.is_local()) {
                 Some(variable) => list.push(variable),
                 None => variables = None,
             }

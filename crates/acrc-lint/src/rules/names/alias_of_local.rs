@@ -2,7 +2,6 @@
 
 use acrc_analysis::AliasFact;
 use acrc_analysis::index::AliasTarget;
-use acrc_catalog::OperandClass;
 use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::units::Level;
 
@@ -31,7 +30,7 @@ fn check(context: &mut Context<'_>) {
         let Some(own) = context.environment().own_alias(name) else { continue };
         let Some(AliasFact::Defined { operand, .. }) = context.environment().alias(name) else { continue };
         let AliasTarget::Operand(class, _) = operand.target else { continue };
-        if matches!(class, OperandClass::Parameter | OperandClass::Bit) {
+        if !class.is_local() {
             continue;
         }
         let programs: Vec<String> =

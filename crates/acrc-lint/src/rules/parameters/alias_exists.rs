@@ -1,6 +1,5 @@
 //! `ACR307`: a number stands where the project has an alias for it.
 
-use acrc_catalog::OperandClass;
 use acrc_diagnostics::{Code, Edit, Fix, Severity, Span};
 
 use crate::Context;
@@ -25,7 +24,7 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 fn check(context: &mut Context<'_>, reference: &Reference) {
-    let is_global = matches!(reference.class, OperandClass::Parameter | OperandClass::Bit);
+    let is_global = !reference.class.is_local();
     if reference.alias || reference.usage == Usage::Define || !is_global {
         return;
     }

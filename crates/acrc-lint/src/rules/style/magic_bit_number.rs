@@ -62,7 +62,7 @@ fn collect(context: &Context<'_>, statement: &Statement, uses: &mut Vec<(Variabl
         if matches!(expr.kind, ExprKind::Operand(_))
             && let Some(variable) = Variable::of(context, expr)
             && !variable.is_user_parameter()
-            && matches!(variable.class, OperandClass::Parameter | OperandClass::Bit)
+            && !variable.class.is_local()
         {
             uses.push((variable, expr.span));
         }

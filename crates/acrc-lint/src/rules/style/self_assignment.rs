@@ -4,7 +4,7 @@ use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::ast::{Expr, ExprKind, Statement, StatementKind};
 
 use crate::Context;
-use crate::operands::{Reference, bare, is_local, is_repeatable, same_text};
+use crate::operands::{Reference, bare, is_repeatable, same_text};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
@@ -31,8 +31,8 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
         return;
     }
     let is_plain = match Reference::of(context, &assign.target) {
-        Some(Reference::Known(variable)) => is_local(variable.class) || variable.is_user_parameter(),
-        Some(Reference::Computed(class)) => is_local(class),
+        Some(Reference::Known(variable)) => variable.class.is_local() || variable.is_user_parameter(),
+        Some(Reference::Computed(class)) => class.is_local(),
         None => false,
     };
     if is_plain {

@@ -7,7 +7,7 @@ use acrc_syntax::ast::{Statement, StatementKind};
 use acrc_syntax::units::Level;
 
 use crate::locals::{How, Locals, Mention};
-use crate::operands::{Reference, Variable, is_local};
+use crate::operands::{Reference, Variable};
 use crate::rule::{Check, Group, Rule, RuleDoc};
 use crate::{Context, level_name};
 
@@ -63,7 +63,7 @@ fn sets_locals(context: &Context<'_>, section: &SectionIndex) -> bool {
     let range = section.section.statements.start as usize..section.section.statements.end as usize;
     let statements = context.tree().statements().get(range).unwrap_or_default();
     let sets_local = |statement: &Statement| match &statement.kind {
-        StatementKind::Assign(assign) => Reference::of(context, &assign.target).is_some_and(|to| is_local(to.class())),
+        StatementKind::Assign(assign) => Reference::of(context, &assign.target).is_some_and(|to| to.class().is_local()),
         _ => false,
     };
     context.is_whole_program(section) && statements.iter().any(sets_local)
