@@ -93,21 +93,21 @@ impl Sheet {
 
     /// The page as Markdown.
     pub(super) fn markdown(&self) -> String {
-        let mut page = format!("**{}** — {}\n", escaped(&self.name), escaped(&self.what));
+        let mut page = vec![format!("**{}** — {}\n", escaped(&self.name), escaped(&self.what))];
         let mut in_list = false;
         for part in &self.parts {
             if !matches!((part, in_list), (Part::Fact(..), true)) {
-                page.push('\n');
+                page.push("\n".to_owned());
             }
             in_list = matches!(part, Part::Fact(..));
-            match part {
-                Part::Summary(text) => page.push_str(&format!("{}\n", escaped(text))),
-                Part::Code(_, text) => page.push_str(&format!("```acrobasic\n{text}\n```\n")),
-                Part::Fact(label, text) => page.push_str(&format!("- {label}: {}\n", escaped(text))),
-                Part::Table(rows) => markdown_table(&mut page, rows),
-            }
+            page.push(match part {
+                Part::Summary(text) => format!("{}\n", escaped(text)),
+                Part::Code(_, text) => format!("```acrobasic\n{text}\n```\n"),
+                Part::Fact(label, text) => format!("- {label}: {}\n", escaped(text)),
+                Part::Table(rows) => markdown_table(rows),
+            });
         }
-        page
+        page.concat()
     }
 }
 
@@ -126,14 +126,14 @@ fn table(page: &mut String, rows: &[Vec<String>]) {
     page.push('\n');
 }
 
-fn markdown_table(page: &mut String, rows: &[Vec<String>]) {
-    for (place, row) in rows.iter().enumerate() {
-        let cells: Vec<String> = row.iter().map(|cell| escaped(cell)).collect();
-        page.push_str(&format!("| {} |\n", cells.join(" | ")));
-        if place == 0 {
-            page.push_str(&format!("|{}\n", "---|".repeat(row.len())));
-        }
+fn markdown_table(rows: &[Vec<String>]) -> String {
+    let line =
+        |row: &Vec<String>| format!("| {} |\n", row.iter().map(|cell| escaped(cell)).collect::<Vec<_>>().join(" | "));
+    let mut lines: Vec<String> = rows.iter().map(line).collect();
+    if let Some(heads) = rows.first() {
+        lines.insert(1, format!("|{}\n", "---|".repeat(heads.len())));
     }
+    lines.concat()
 }
 
 /// Text that Markdown shows as it is.

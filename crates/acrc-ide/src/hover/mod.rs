@@ -27,7 +27,9 @@ pub fn hover(db: &dyn Db, position: FilePosition) -> Option<Hover> {
     if let (Entity::Command(_), Some(bytes)) =
         (&occurrence.entity, statement_bytes(db, position.file, occurrence.statement))
     {
-        markdown.push_str(&format!("\nThis statement takes {bytes} bytes of program memory.\n"));
+        markdown += "\nThis statement takes ";
+        markdown += &bytes.to_string();
+        markdown += " bytes of program memory.\n";
     }
     Some(Hover { span: occurrence.span, markdown })
 }

@@ -37,9 +37,8 @@ pub(super) fn axis(db: &dyn Db, position: FilePosition, level: Level, name: &str
     let table = symbols(db, position.project).axes_at(level);
     match table.and_then(|table| table.find(name)) {
         Some((_, Some(number))) => {
-            let mut page = format!("**{name}** — axis {number} in {level}\n\n");
-            page.push_str(&attachment(db, position, level, name));
-            page
+            let head = format!("**{name}** — axis {number} in {level}\n\n");
+            head + &attachment(db, position, level, name)
         }
         Some((_, None)) => format!("**{name}** — axis of a computed number in {level}\n"),
         None => format!("**{name}** — no axis that {level} is known to attach\n"),
@@ -48,7 +47,7 @@ pub(super) fn axis(db: &dyn Db, position: FilePosition, level: Level, name: &str
 
 /// How an axis comes to its program.
 fn attachment(db: &dyn Db, position: FilePosition, level: Level, wanted: &str) -> String {
-    let mut page = String::new();
+    let mut page = Vec::new();
     let mut master = None;
     for file in position.project.files(db) {
         for attachment in exports(db, *file).attachments.iter().filter(|attachment| attachment.level == level) {
@@ -57,7 +56,7 @@ fn attachment(db: &dyn Db, position: FilePosition, level: Level, wanted: &str) -
                 AttachmentKind::Slave { slot, name: Some(name), .. } if &**name == wanted => {
                     let number =
                         |number: Option<u32>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
-                    page.push_str(&format!(
+                    page.push(format!(
                         "- slave {} of master {}, attached in {}\n",
                         number(*slot),
                         number(master),
@@ -68,20 +67,20 @@ fn attachment(db: &dyn Db, position: FilePosition, level: Level, wanted: &str) -
             }
         }
     }
-    page
+    page.concat()
 }
 
 /// An object by number. An axis has the names that programs give it.
 pub(super) fn object(db: &dyn Db, position: FilePosition, kind: ObjectKind, number: Option<u32>) -> String {
-    let mut page = Entry::Object(kind).markdown();
+    let mut page = vec![Entry::Object(kind).markdown()];
     if let (ObjectKind::Axis, Some(number)) = (kind, number) {
         for (level, table) in &symbols(db, position.project).axes {
             for (name, _) in table.names.iter().filter(|(_, axis)| *axis == Some(number)) {
-                page.push_str(&format!("- `{name}` in {level}\n"));
+                page.push(format!("- `{name}` in {level}\n"));
             }
         }
     }
-    page
+    page.concat()
 }
 
 /// A label: the remark above it, and who goes there.
@@ -90,19 +89,19 @@ pub(super) fn label(db: &dyn Db, position: FilePosition, level: Level, name: &st
     let Some((file, definition)) = found.iter().find(|(_, occurrence)| occurrence.role == Role::Define) else {
         return format!("**{name}** — {level} has no such label\n");
     };
-    let mut page = format!("**{name}** — label of {level}, in {}\n", file.name(db));
+    let mut page = vec![format!("**{name}** — label of {level}, in {}\n", file.name(db))];
     if let Some(remark) = remark_above(db, *file, definition.span) {
-        page.push_str(&format!("\n{remark}\n"));
+        page.push(format!("\n{remark}\n"));
     }
-    page.push('\n');
+    page.push("\n".to_owned());
     for (role, words) in [(Role::Call, "called"), (Role::Jump, "jumped to")] {
         match found.iter().filter(|(_, occurrence)| occurrence.role == role).count() {
             0 => {}
-            1 => page.push_str(&format!("- {words} at one place\n")),
-            count => page.push_str(&format!("- {words} at {count} places\n")),
+            1 => page.push(format!("- {words} at one place\n")),
+            count => page.push(format!("- {words} at {count} places\n")),
         }
     }
-    page
+    page.concat()
 }
 
 /// A line by its number.

@@ -18,24 +18,24 @@ pub(super) fn operand(
     number: Option<u64>,
     level: Option<Level>,
 ) -> String {
-    let mut page = match (level, number) {
+    let mut page = vec![match (level, number) {
         (Some(level), Some(number)) => local(db, project, class, number, level),
         _ => entry(class, number).markdown(),
-    };
+    }];
     if let Some(alias) = number.and_then(|number| symbols(db, project).alias_for(class, number)) {
-        page.push_str(&format!("- alias: `{}`\n", alias.name));
+        page.push(format!("- alias: `{}`\n", alias.name));
     }
-    page
+    page.concat()
 }
 
 /// A local variable or array: what it is, and what dimensions it.
 fn local(db: &dyn Db, project: Project, class: OperandClass, number: u64, level: Level) -> String {
     let info = class.info();
-    let mut page = format!("**{class}{number}** — {}, of {level} alone\n\n", info.summary);
+    let mut page = vec![format!("**{class}{number}** — {}, of {level} alone\n\n", info.summary)];
     let dims = dims(db, project, class, number, level);
     for (file, dim) in &dims {
         let text = file.text(db).get(dim.range()).unwrap_or_default();
-        page.push_str(&format!("- `{text}` in {}\n", file.name(db)));
+        page.push(format!("- `{text}` in {}\n", file.name(db)));
     }
     let memory = project_memory(db, project);
     let locals = memory.locals.iter().find(|(at, _)| *at == level).map(|(_, locals)| locals);
@@ -45,16 +45,16 @@ fn local(db: &dyn Db, project: Project, class: OperandClass, number: u64, level:
         (LocalBlock::Variables(class), 0)
     };
     match locals.and_then(|locals| locals.extent(block, array)).and_then(|extent| extent.count) {
-        Some(0) => page.push_str("- it has no elements\n"),
-        Some(count) if class.is_array() => page.push_str(&format!("- elements 0 to {}\n", count - 1)),
-        Some(count) => page.push_str(&format!("- numbers 0 to {}\n", count - 1)),
-        None if dims.is_empty() => page.push_str("- nothing in the project dimensions it\n"),
+        Some(0) => page.push("- it has no elements\n".to_owned()),
+        Some(count) if class.is_array() => page.push(format!("- elements 0 to {}\n", count - 1)),
+        Some(count) => page.push(format!("- numbers 0 to {}\n", count - 1)),
+        None if dims.is_empty() => page.push("- nothing in the project dimensions it\n".to_owned()),
         None => {}
     }
     if !info.storage.is_empty() {
-        page.push_str(&format!("- storage: {}\n", info.storage));
+        page.push(format!("- storage: {}\n", info.storage));
     }
-    page
+    page.concat()
 }
 
 /// The statements that dimension a local variable, or the array.
