@@ -44,7 +44,7 @@ pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
 pub use controller::{Controller, Observer, Options, Sent, Standing, Stopped, Unsupported, View};
 pub use error::ControllerError;
-pub use host_interface::{HostError, Override};
+pub use host_interface::{Conversion, HostError, Override};
 pub use master::MasterStatistics;
 pub use program::State;
 pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::cell::Conversion;
 use crate::error::ControllerError;
 
 /// Why an order of a host is not carried out.
@@ -16,4 +17,29 @@ pub enum HostError {
     /// A value that is no number.
     #[error("{0} is no finite number")]
     NotFinite(f32),
+    /// An address at which nothing stands.
+    #[error("nothing stands at address 0x{0:08X}")]
+    NoAddress(u32),
+    /// A count or an address.
+    #[error("address 0x{0:08X} holds a count or an address, which only DIM changes")]
+    Fixed(u32),
+    /// A conversion code for something of another type.
+    #[error("address 0x{address:08X} does not hold {}", .conversion.expects())]
+    Conversion {
+        /// The address.
+        address: u32,
+        /// What the packet takes it for.
+        conversion: Conversion,
+    },
+    /// A bit mask for something in memory that is no long integer.
+    #[error("address 0x{0:08X} holds no long integer, so there are no bits to mask")]
+    NotLongAt(u32),
+    /// A length that a string cannot have.
+    #[error("a string of {length} characters does not fit: DIM gives it {most}")]
+    TextLength {
+        /// The length.
+        length: u32,
+        /// The longest one.
+        most: u32,
+    },
 }

@@ -6,11 +6,17 @@
 //!
 //! `docs/host-interface.md` describes what a host sees.
 
+mod address;
+mod cell;
 mod error;
+mod memory;
 mod number;
 mod overrides;
 mod parameters;
+mod poke;
+mod strings;
 
+pub use cell::Conversion;
 pub use error::HostError;
 pub use overrides::Override;
 

@@ -177,6 +177,12 @@ pub(crate) fn is_plain_parameter(number: u32) -> bool {
     number < FIRST_WORD || number >= FIRST_WORD + Flags::WORDS && map().parameter(number).is_some_and(plain)
 }
 
+/// Whether no document says in which form a parameter keeps its value.
+pub(crate) fn is_of_unknown_form(number: u32) -> bool {
+    number >= FIRST_WORD + Flags::WORDS
+        && map().parameter(number).is_some_and(|parameter| parameter.form == Form::Unknown)
+}
+
 /// Whether the world around the controller may change a flag: inputs, states of networks and of hardware, flags that a host writes. Outputs, requests
 /// and what follows from programs and motion are the controller's own.
 pub(crate) fn is_outside_flag(number: u32) -> bool {

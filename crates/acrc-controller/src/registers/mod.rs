@@ -6,5 +6,5 @@ pub(crate) mod map;
 mod parameters;
 mod store;
 
-pub(crate) use map::{is_outside_flag, is_plain_parameter};
+pub(crate) use map::{is_of_unknown_form, is_outside_flag, is_plain_parameter};
 pub(crate) use store::Registers;

@@ -1,5 +1,6 @@
 //! What a host does with a controller between two ticks (guide, "Binary Host Interface"; `docs/host-interface.md`).
 
 mod flags;
+mod memory;
 mod parameters;
 mod support;

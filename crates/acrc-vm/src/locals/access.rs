@@ -38,6 +38,18 @@ impl Locals {
         }
     }
 
+    /// A string, and how many characters it may have. `None` for what does not exist or is no string.
+    pub fn text(&self, reference: Reference) -> Option<(&Text, u32)> {
+        let (block, index) = match reference {
+            Reference::Variable { class: OperandClass::StringV, index } => (&self.texts, index),
+            Reference::Element { class: OperandClass::StringA, array, element } => {
+                (self.text_arrays.blocks().get(place(array)?)?, element)
+            }
+            _ => return None,
+        };
+        Some((block.items.get(place(index)?)?, block.length as u32))
+    }
+
     /// How many elements an array has. `None` when it has no memory.
     pub fn array_size(&self, class: OperandClass, array: i64) -> Option<u32> {
         let array = place(array)?;
