@@ -8,6 +8,7 @@ use acrc_wire::{Channel, Decoder, Item, Reply, Request};
 use crate::reply::{Progress, progress};
 use crate::transport::{Tcp, Transport};
 use crate::{Answer, Console, Endpoint, LinkError, Protocol};
+use acrc_syntax::units::Level;
 
 /// ESC: leaves what a channel shows or waits for.
 pub const ESCAPE: u8 = 0x1b;
@@ -55,6 +56,8 @@ pub struct Connection<T> {
     echo: bool,
     /// Answers can be told apart; not before the first prompt, nor after an answer that did not come.
     in_step: bool,
+    /// The level of the last prompt.
+    prompt: Level,
 }
 
 impl Connection<Tcp> {
@@ -77,8 +80,16 @@ impl<T: Transport> Connection<T> {
     pub fn over(transport: T, name: String, protocol: Protocol, settings: Settings) -> Result<Self, LinkError> {
         let channel = Channel::ethernet();
         let channel = (protocol == Protocol::Mixed).then(|| (channel, channel.replies()));
-        let mut connection =
-            Self { transport, settings, name, channel, text: String::new(), echo: false, in_step: false };
+        let mut connection = Self {
+            transport,
+            settings,
+            name,
+            channel,
+            text: String::new(),
+            echo: false,
+            in_step: false,
+            prompt: Level::System,
+        };
         connection.synchronize()?;
         Ok(connection)
     }
@@ -86,6 +97,37 @@ impl<T: Transport> Connection<T> {
     /// Whether packets are possible.
     pub const fn has_packets(&self) -> bool {
         self.channel.is_some()
+    }
+
+    /// Whether the controller echoes what is typed.
+    pub const fn echoes(&self) -> bool {
+        self.echo
+    }
+
+    /// The level of the prompt that was seen last.
+    pub const fn prompt(&self) -> Level {
+        self.prompt
+    }
+
+    /// Types bytes, as at a terminal. What comes back is for [`Connection::listen`]; a command that follows brings the
+    /// channel to a prompt first.
+    ///
+    /// # Errors
+    /// When they cannot be sent.
+    pub fn type_bytes(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
+        self.in_step = false;
+        self.write(bytes, "")
+    }
+
+    /// The text that comes next, in Latin-1, for at most so long; empty when none comes.
+    ///
+    /// # Errors
+    /// When the connection ends.
+    pub fn listen(&mut self, longest: Duration) -> Result<String, LinkError> {
+        if self.text.is_empty() {
+            self.more(longest, "")?;
+        }
+        Ok(std::mem::take(&mut self.text))
     }
 
     /// How it was made.
@@ -131,8 +173,8 @@ impl<T: Transport> Connection<T> {
             let echo = before.is_some_and(|before| before.is_empty() || before.ends_with(['\n', '\r', '>']));
             let printed = self.text.lines().any(|line| line.trim() == MARK);
             match progress(&self.text, &line, echo) {
-                Progress::Whole(..) if echo || printed => {
-                    self.echo = echo;
+                Progress::Whole(_, level) if echo || printed => {
+                    (self.echo, self.prompt) = (echo, level);
                     self.text.clear();
                     return Ok(());
                 }
@@ -180,7 +222,7 @@ impl<T: Transport> Connection<T> {
                     return Err(LinkError::Timeout { line: line.to_owned(), after: patience });
                 }
             };
-            self.in_step = true;
+            (self.in_step, self.prompt) = (true, prompt);
             self.text.clear();
             return Ok(Answer { command: line.to_owned(), lines, prompt });
         }

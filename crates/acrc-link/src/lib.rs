@@ -15,6 +15,7 @@ mod endpoint;
 mod error;
 mod reply;
 mod transport;
+pub mod values;
 
 pub use answer::{Answer, parse_prompt};
 pub use connection::{Connection, ESCAPE, Settings};
