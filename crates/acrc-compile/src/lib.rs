@@ -27,3 +27,4 @@ pub use error::{CompileError, CompileErrorKind, LINE_NUMBERS};
 pub use project::{SourceUnit, compile, compile_stored};
 pub use scope::{NoNames, Scope, Tables};
 pub use statement::{encode_statement, encode_statements, stored_bytes};
+pub use text::typed_text;

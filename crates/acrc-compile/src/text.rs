@@ -14,6 +14,19 @@ fn plain(character: char) -> Option<&'static str> {
     })
 }
 
+/// A statement as it can be typed at a controller, which reads one byte a character: typographic characters as what they stand for, and what has
+/// no byte, which only remarks can have, as a question mark.
+pub fn typed_text(source: &str) -> String {
+    let mut typed = String::with_capacity(source.len());
+    for character in source.chars() {
+        match plain(character) {
+            Some(plain) => typed.push_str(plain),
+            None => typed.push(if u8::try_from(character).is_ok() { character } else { '?' }),
+        }
+    }
+    typed
+}
+
 /// The bytes of a string constant.
 ///
 /// # Errors
@@ -32,12 +45,5 @@ pub(crate) fn string(source: &str) -> Result<Vec<u8>, (usize, char)> {
 
 /// The bytes of a remark, without blanks at its end. What has no byte becomes a question mark: a remark must not keep a program from running.
 pub(crate) fn remark(source: &str) -> Vec<u8> {
-    let mut ascii = String::with_capacity(source.len());
-    for character in source.chars() {
-        match plain(character) {
-            Some(plain) => ascii.push_str(plain),
-            None => ascii.push(if u8::try_from(character).is_ok() { character } else { '?' }),
-        }
-    }
-    text::encode(ascii.trim_end()).unwrap_or_default()
+    text::encode(typed_text(source).trim_end()).unwrap_or_default()
 }

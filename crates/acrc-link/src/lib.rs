@@ -3,6 +3,7 @@
 //! - [`Console`] is a command line of a controller: a line goes out, an [`Answer`] comes back. What a host does is written
 //!   against it, and knows nothing of sockets.
 //! - [`Connection`] is one over TCP, on port 5002 (text) or 5006 (text and packets), or over any other [`Transport`].
+//! - [`download`] brings a project to a controller and reads back what it has.
 //! - [`LinkError`] says why something could not be done, with the value that failed.
 //!
 //! Nothing here guesses where a controller is, and nothing waits without an end: every wait has a time after which it is
@@ -11,6 +12,7 @@
 mod answer;
 mod connection;
 mod console;
+pub mod download;
 mod endpoint;
 mod error;
 mod reply;

@@ -1,0 +1,515 @@
+//! What a download will do: a project and what the controller has, to steps in their order.
+//!
+//! Two ways lead to the same result. A project that shares out the system memory (`CLEAR`, `DIM PROG0(...)`) is sent as a whole:
+//! every program goes first, since `CLEAR` is refused while one is stored and `DIM` while its block has memory. What the project
+//! does not say itself (`NEW ALL`, `CLEAR`, `DETACH ALL`) is put before it. Where the controller has the memory of the project
+//! already, and for a project that only brings programs, the programs that are the same stay. Those that are not are erased
+//! before anything else is sent, so that at no time an old program stands beside new settings or names.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use acrc_catalog::memory::SystemBlock;
+use acrc_catalog::{Model, law};
+use acrc_image::{Alias, Unit, UnitName};
+use acrc_syntax::units::Level;
+use thiserror::Error;
+
+use super::immediate::{Detached, Special, Traits};
+use super::listing::Names;
+use super::script::{Kind, Place, Script, ScriptLine, level_of};
+use super::state::{Fate, State};
+use super::survey::{Survey, switch};
+
+/// A memory that outlasts power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Save {
+    /// Programs, memory and aliases as the image that is loaded at power-up.
+    Flash,
+    /// System parameters: attachments and settings.
+    Eeprom,
+}
+
+impl Save {
+    /// The command that saves.
+    pub const fn command(self) -> &'static str {
+        match self {
+            // FLASH SAVE would leave out user parameters and the memory that they need.
+            Self::Flash => "FLASH IMAGE",
+            Self::Eeprom => "ESAVE",
+        }
+    }
+}
+
+/// What a user allows and wants.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// Halt programs that run.
+    pub halt: bool,
+    /// Go on although drives are enabled.
+    pub with_drives_enabled: bool,
+    /// Send everything, also programs that are there already.
+    pub everything: bool,
+    /// What lifts the protection of the programs, besides the password of the project.
+    pub password: Option<String>,
+    /// Programs to start at the end.
+    pub run: Vec<UnitName>,
+    /// Memories to save in at the end.
+    pub save: BTreeSet<Save>,
+}
+
+/// What a step does to the programs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Deed {
+    /// Nothing.
+    Nothing,
+    /// It halts the programs; then nothing may move any more.
+    Halt,
+    /// It erases these.
+    Erase(Vec<UnitName>),
+    /// It clears system memory.
+    Clear,
+    /// The text of a program begins.
+    Open(UnitName),
+    /// A line of a text.
+    Text(UnitName),
+    /// The text of a program ends here; it is complete unless other lines of it follow.
+    Close(UnitName, Fate),
+    /// A line takes its place in a text.
+    Number(UnitName, Fate),
+}
+
+/// A line to be sent, and what is to come back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What is sent.
+    pub line: String,
+    /// The line of the source; `None` for what the project does not say itself.
+    pub place: Option<Place>,
+    /// The prompt at which it is sent.
+    pub level: Level,
+    /// The prompt that has to follow.
+    pub behind: Level,
+    /// Something may be answered.
+    pub speaks: bool,
+    /// It may take its time.
+    pub waits: bool,
+    /// What it does to the programs.
+    pub deed: Deed,
+}
+
+/// What a download will do.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// System memory is cleared and shared out again.
+    pub whole: bool,
+    /// What is sent.
+    pub steps: Vec<Step>,
+    /// What is sent when all programs have been verified, since they cannot be listed behind it.
+    pub protect: Vec<Step>,
+    /// Programs that are there already.
+    pub kept: Vec<UnitName>,
+    /// Programs that are erased, with their lines; `None` where the controller does not show them.
+    pub erased: Vec<(UnitName, Option<usize>)>,
+    /// What is worth knowing before.
+    pub notes: Vec<(Option<Place>, String)>,
+    /// What is known of the programs before the first step.
+    pub state: State,
+}
+
+/// Why a download is not begun.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Objection {
+    /// Programs run.
+    #[error("{} on the controller", going(.0))]
+    Running(Vec<UnitName>),
+    /// Something moves.
+    #[error("{} in motion", .0.join(", "))]
+    Moving(Vec<String>),
+    /// Drives are enabled.
+    #[error("the drive of {} is enabled", axes(.0))]
+    Enabled(Vec<u8>),
+    /// A program has no memory.
+    #[error("{unit} needs {needed} bytes, and {available}")]
+    NoMemory {
+        /// The program.
+        unit: UnitName,
+        /// Bytes of its text.
+        needed: u64,
+        /// What it has.
+        available: String,
+    },
+    /// The programs are protected.
+    #[error("the programs of the controller are protected from being listed ({0})")]
+    Protected(String),
+}
+
+impl Objection {
+    /// What to do about it.
+    pub fn help(&self) -> &'static str {
+        match self {
+            Self::Running(_) => "--halt halts all programs first",
+            Self::Moving(_) => "wait until it is over, or stop it; --halt ends motion of programs, but not jogging",
+            Self::Enabled(_) => "disable it with DRIVE OFF, or allow it with --with-drives-enabled",
+            Self::NoMemory { .. } => "give it memory with `DIM PROGn(bytes)` at SYS in the setup of the project",
+            Self::Protected(_) => "--password \"TEXT\" lifts the protection with PASSWORD OFF",
+        }
+    }
+}
+
+fn going(units: &[UnitName]) -> String {
+    let names: Vec<String> = units.iter().map(ToString::to_string).collect();
+    format!("{} {}", names.join(", "), if units.len() == 1 { "runs or is paused" } else { "run or are paused" })
+}
+
+fn axes(axes: &[u8]) -> String {
+    let names: Vec<String> = axes.iter().map(|axis| format!("AXIS{axis}")).collect();
+    names.join(", ")
+}
+
+impl Plan {
+    /// The steps of a project for a controller in this state.
+    ///
+    /// # Errors
+    /// Everything that speaks against it.
+    pub fn new(script: &Script, survey: &Survey, model: &Model, settings: &Settings) -> Result<Self, Vec<Objection>> {
+        let demand = Demand::of(script);
+        let objections = objections(script, survey, &demand, settings);
+        if !objections.is_empty() {
+            return Err(objections);
+        }
+        let mut kept = if settings.everything { Vec::new() } else { kept(script, survey) };
+        let whole = demand.shares_memory() && (kept.is_empty() || !demand.is_met_by(script, survey));
+        if whole {
+            kept.clear();
+        }
+        let mut builder = Builder::new(script, survey, whole, &kept, model);
+        builder.prepare(&demand, settings);
+        for index in 0..script.lines.len() {
+            builder.line(index, &demand);
+        }
+        builder.goto(Level::System);
+        Ok(builder.finish())
+    }
+}
+
+/// What a project says of the memory and the programs of the whole controller, in the order in which it says it.
+#[derive(Debug, Default)]
+struct Demand {
+    /// `CLEAR` at the system prompt.
+    clears: bool,
+    /// What it dimensions; `None` when a size is computed or a block is dimensioned twice.
+    memory: Option<BTreeMap<SystemBlock, u64>>,
+    dims: bool,
+    /// `NEW ALL`
+    erases_all: bool,
+    /// It erases all programs before it clears or dimensions.
+    erases_first: bool,
+    /// It clears before it dimensions.
+    clears_first: bool,
+    /// The programs that it attaches something to without detaching before.
+    attaches: BTreeSet<Level>,
+    /// The programs that it gives variables to without clearing them before.
+    dims_locals: BTreeSet<Level>,
+    /// The last line of each text.
+    ends: BTreeMap<UnitName, usize>,
+}
+
+impl Demand {
+    fn of(script: &Script) -> Self {
+        let mut demand = Self { memory: Some(BTreeMap::new()), ..Self::default() };
+        let (mut detached, mut cleared) = (BTreeSet::new(), BTreeSet::new());
+        let mut all_detached = false;
+        for (index, line) in script.lines.iter().enumerate() {
+            if let Some(unit) = line.unit() {
+                demand.ends.insert(unit, index);
+            }
+            let Kind::Immediate(traits) = &line.kind else { continue };
+            demand.special(traits.special.as_ref());
+            match traits.detaches {
+                Some(Detached::All) => all_detached = true,
+                Some(Detached::Program) => _ = detached.insert(line.level),
+                None if traits.attaches && !all_detached && !detached.contains(&line.level) => {
+                    demand.attaches.insert(line.level);
+                }
+                None => {}
+            }
+            if traits.clears_locals {
+                cleared.insert(line.level);
+            }
+            if traits.dims_locals && !cleared.contains(&line.level) {
+                demand.dims_locals.insert(line.level);
+            }
+        }
+        demand
+    }
+
+    fn special(&mut self, special: Option<&Special>) {
+        match special {
+            Some(Special::EraseAll) => {
+                self.erases_all = true;
+                self.erases_first |= !self.clears && !self.dims;
+            }
+            Some(Special::Clear) => {
+                self.clears = true;
+                self.clears_first |= !self.dims;
+                // What was given before is gone.
+                self.memory = Some(BTreeMap::new());
+            }
+            Some(Special::Dim(block)) => {
+                self.dims = true;
+                let new = block.filter(|(block, size)| {
+                    self.memory.as_mut().is_some_and(|memory| memory.insert(*block, *size).is_none())
+                });
+                if new.is_none() {
+                    self.memory = None;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn shares_memory(&self) -> bool {
+        self.clears || self.dims
+    }
+
+    /// Whether the controller has the memory, no other programs and no other aliases.
+    fn is_met_by(&self, script: &Script, survey: &Survey) -> bool {
+        let own = |unit: &UnitName| script.unit(*unit).is_some();
+        let known = |alias: &Alias| script.image.aliases.contains(alias);
+        survey.protected.is_none()
+            && self.memory.is_some()
+            && survey.memory == self.memory
+            && survey.programs.keys().all(own)
+            && survey.aliases.as_ref().is_some_and(|aliases| aliases.iter().all(known))
+    }
+}
+
+/// The programs that the controller has as the project has them, with the same meaning of their names.
+fn kept(script: &Script, survey: &Survey) -> Vec<UnitName> {
+    let names = Names::new(&script.image.aliases, survey.aliases.as_deref().unwrap_or_default());
+    let same = |unit: &&Unit| {
+        let listing = survey.programs.get(&unit.name);
+        listing.is_some_and(|listing| listing.compare(unit, &names).is_ok()) && means_the_same(unit, script, survey)
+    };
+    script.units().filter(same).map(|unit| unit.name).collect()
+}
+
+fn means_the_same(unit: &Unit, script: &Script, survey: &Survey) -> bool {
+    let places = unit.aliases().unwrap_or_default();
+    places.into_iter().all(|place| {
+        let alias = script.image.aliases.get(usize::from(place));
+        alias.zip(survey.aliases.as_ref()).is_some_and(|(alias, known)| known.contains(alias))
+    })
+}
+
+fn objections(script: &Script, survey: &Survey, demand: &Demand, settings: &Settings) -> Vec<Objection> {
+    let mut objections = Vec::new();
+    if !survey.running.is_empty() && !settings.halt {
+        objections.push(Objection::Running(survey.running.clone()));
+    }
+    if !survey.moving.is_empty() && !settings.halt {
+        objections.push(Objection::Moving(survey.moving.clone()));
+    }
+    if !survey.enabled.is_empty() && !settings.with_drives_enabled {
+        objections.push(Objection::Enabled(survey.enabled.clone()));
+    }
+    let password = settings.password.is_some() || script.image.password().ok().flatten().is_some();
+    if let Some(text) = survey.protected.as_ref().filter(|_| !password) {
+        objections.push(Objection::Protected(text.clone()));
+    }
+    let memory = if demand.shares_memory() { &demand.memory } else { &survey.memory };
+    for unit in script.units() {
+        let (needed, block) = (u64::from(unit.memory()), block_of(unit.name));
+        let Some((memory, block)) = memory.as_ref().zip(block) else { continue };
+        let available = match memory.get(&block) {
+            Some(size) if *size >= needed => continue,
+            Some(size) => format!("it has {size}"),
+            None if demand.shares_memory() => "the project gives it none".to_owned(),
+            None => "neither the controller nor the project gives it any".to_owned(),
+        };
+        objections.push(Objection::NoMemory { unit: unit.name, needed, available });
+    }
+    objections
+}
+
+fn block_of(unit: UnitName) -> Option<SystemBlock> {
+    match unit {
+        UnitName::Boot => None,
+        UnitName::Program(number) => Some(SystemBlock::Program(number)),
+        UnitName::Plc(number) => Some(SystemBlock::Plc(number)),
+    }
+}
+
+struct Builder<'a> {
+    script: &'a Script,
+    survey: &'a Survey,
+    kept: &'a [UnitName],
+    plan: Plan,
+    level: Level,
+    model: &'a Model,
+}
+
+impl<'a> Builder<'a> {
+    fn new(script: &'a Script, survey: &'a Survey, whole: bool, kept: &'a [UnitName], model: &'a Model) -> Self {
+        let mut state = State::default();
+        for unit in survey.programs.keys().copied().chain(script.units().map(|unit| unit.name)) {
+            let fate = match (kept.contains(&unit), survey.programs.contains_key(&unit) || survey.protected.is_some()) {
+                (true, _) => Fate::Kept,
+                (false, true) => Fate::Old,
+                (false, false) => Fate::Missing,
+            };
+            state.set(unit, fate);
+        }
+        let plan = Plan { whole, state, kept: kept.to_vec(), ..Plan::default() };
+        Self { script, survey, kept, plan, level: Level::System, model }
+    }
+
+    /// What comes before the lines of the project.
+    fn prepare(&mut self, demand: &Demand, settings: &Settings) {
+        if !self.survey.running.is_empty() || !self.survey.moving.is_empty() {
+            self.own("HALT ALL", Deed::Halt);
+        }
+        if self.survey.protected.is_some() {
+            let own = self.script.image.password().ok().flatten();
+            if let Some(password) = settings.password.clone().or(own) {
+                self.own(&format!("PASSWORD OFF \"{password}\""), Deed::Nothing);
+            }
+        }
+        if self.plan.whole {
+            self.plan.erased = self.all().into_iter().map(|unit| (unit, self.lines_of(unit))).collect();
+            if !demand.erases_first {
+                self.own("NEW ALL", Deed::Erase(self.all()));
+            }
+            if !demand.clears_first {
+                self.own("CLEAR", Deed::Clear);
+            }
+            if !demand.attaches.is_empty() {
+                self.own("DETACH ALL", Deed::Nothing);
+            }
+            return;
+        }
+        for unit in self.stale(demand) {
+            self.plan.erased.push((unit, self.lines_of(unit)));
+            self.goto(level_of(unit));
+            self.own("NEW", Deed::Erase(vec![unit]));
+        }
+        for level in &demand.attaches {
+            self.goto(*level);
+            self.own("DETACH", Deed::Nothing);
+        }
+        for level in &demand.dims_locals {
+            self.goto(*level);
+            self.own("CLEAR", Deed::Nothing);
+        }
+    }
+
+    /// Programs that the controller has.
+    fn all(&self) -> Vec<UnitName> {
+        if self.survey.protected.is_some() {
+            let plcs = (0..self.model.plcs).map(UnitName::Plc);
+            return (0..self.model.programs).map(UnitName::Program).chain(plcs).collect();
+        }
+        self.survey.programs.keys().copied().collect()
+    }
+
+    fn lines_of(&self, unit: UnitName) -> Option<usize> {
+        self.survey.programs.get(&unit).map(|listing| listing.lines.len())
+    }
+
+    /// The programs that are not as the project has them, and those that it erases without having them.
+    fn stale(&self, demand: &Demand) -> Vec<UnitName> {
+        let erases = |unit: &UnitName| {
+            let named = |line: &ScriptLine| match &line.kind {
+                Kind::Immediate(Traits { special: Some(Special::Erase(units)), .. }) => units.contains(unit),
+                _ => false,
+            };
+            demand.erases_all || self.script.unit(*unit).is_some() || self.script.lines.iter().any(named)
+        };
+        self.all().into_iter().filter(|unit| !self.kept.contains(unit)).filter(erases).collect()
+    }
+
+    /// Changes the prompt.
+    fn goto(&mut self, level: Level) {
+        if self.level != level {
+            let step = Step { behind: level, ..self.step(&switch(level), Deed::Nothing) };
+            self.plan.steps.push(step);
+            self.level = level;
+        }
+    }
+
+    fn own(&mut self, line: &str, deed: Deed) {
+        let step = self.step(line, deed);
+        self.plan.steps.push(step);
+    }
+
+    fn step(&self, line: &str, deed: Deed) -> Step {
+        let (level, behind) = (self.level, self.level);
+        Step { line: line.to_owned(), place: None, level, behind, speaks: false, waits: false, deed }
+    }
+
+    /// A line of the project.
+    fn line(&mut self, index: usize, demand: &Demand) {
+        let Some(line) = self.script.lines.get(index) else { return };
+        if line.unit().is_some_and(|unit| self.kept.contains(&unit)) {
+            return;
+        }
+        let complete = |unit| if demand.ends.get(&unit) == Some(&index) { Fate::Sent } else { Fate::Partial };
+        let deed = match (&line.kind, line.unit()) {
+            (Kind::Open, Some(unit)) => Deed::Open(unit),
+            (Kind::Stored, Some(unit)) => Deed::Text(unit),
+            (Kind::Close, Some(unit)) => Deed::Close(unit, complete(unit)),
+            (Kind::Numbered, Some(unit)) => Deed::Number(unit, complete(unit)),
+            (Kind::Immediate(traits), _) => return self.immediate(line, traits),
+            _ => Deed::Nothing,
+        };
+        self.push(line, deed, &Traits::default());
+    }
+
+    fn immediate(&mut self, line: &ScriptLine, traits: &Traits) {
+        let deed = match &traits.special {
+            Some(Special::EraseAll | Special::Erase(_) | Special::Clear | Special::Dim(_)) if !self.plan.whole => {
+                return;
+            }
+            Some(Special::EraseAll) => Deed::Erase(self.all()),
+            Some(Special::Erase(units)) => Deed::Erase(units.clone()),
+            Some(Special::Clear) => Deed::Clear,
+            Some(Special::Channel) => {
+                let note = format!("`{}` is not sent: it is about the terminal that types it", line.text);
+                return self.plan.notes.push((Some(line.place), note));
+            }
+            Some(Special::Protect) => {
+                let step = Step { place: Some(line.place), ..self.step(&line.text, Deed::Nothing) };
+                self.plan.protect.push(Step { level: line.level, behind: line.behind, ..step });
+                return;
+            }
+            Some(Special::Dim(_)) | None => Deed::Nothing,
+        };
+        if let Some(first) = traits.acts.first() {
+            let what = match first {
+                acrc_analysis::Deed::DriveOn => "enables a drive",
+                acrc_analysis::Deed::Run => "starts a program",
+                _ => "moves an axis",
+            };
+            self.plan.notes.push((Some(line.place), format!("`{}` {what} at once", line.text)));
+        }
+        self.push(line, deed, traits);
+    }
+
+    fn push(&mut self, line: &ScriptLine, deed: Deed, traits: &Traits) {
+        // Within a text a prompt is not changed: what is typed would be stored.
+        self.goto(line.level);
+        let step = Step { place: Some(line.place), behind: line.behind, ..self.step(&line.text, deed) };
+        self.plan.steps.push(Step { speaks: traits.speaks, waits: traits.waits, ..step });
+        self.level = line.behind;
+    }
+
+    fn finish(mut self) -> Plan {
+        self.plan.state.lines = self.plan.steps.len();
+        self.plan
+    }
+}
+
+/// The flag that makes `LIST` number all lines.
+pub(super) fn numbers_flag() -> u32 {
+    law::LIST_LINE_NUMBERS.at(0)
+}
