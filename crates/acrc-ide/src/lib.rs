@@ -13,8 +13,10 @@ mod occurrence;
 mod place;
 mod remark;
 mod semantic_tokens;
+mod signature_help;
 
 pub use hover::{Hover, hover};
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
 pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};
+pub use signature_help::{ArgumentHelp, SignatureHelp, signature_help};

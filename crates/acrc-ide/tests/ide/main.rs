@@ -4,3 +4,4 @@ mod fixture;
 mod hover;
 mod occurrences;
 mod semantic_tokens;
+mod signature_help;

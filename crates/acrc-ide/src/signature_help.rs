@@ -1,0 +1,250 @@
+//! The form of the command or function whose arguments are being written, and which of them comes next.
+
+use std::ops::Range;
+
+use acrc_analysis::query::parse;
+use acrc_analysis::{Db, SourceFile};
+use acrc_catalog::{CommandId, FunctionId, OperandClass, Shape, command, daughter, word};
+use acrc_syntax::ast::{Argument, StatementKind};
+use acrc_syntax::lexer::{Token, TokenKind};
+
+/// A form with its arguments.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SignatureHelp {
+    /// The form, in the notation of the guide.
+    pub label: String,
+    /// What it does.
+    pub summary: String,
+    /// Its arguments in order.
+    pub arguments: Vec<ArgumentHelp>,
+    /// The place in `arguments` of the one that is being written.
+    pub active: Option<u32>,
+}
+
+/// An argument of a form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ArgumentHelp {
+    /// Where its name stands in the form, in bytes; `None` when the form does not name it.
+    pub label: Option<Range<u32>>,
+    /// Kind, unit, range and default.
+    pub facts: String,
+}
+
+/// The form of what is being written at a place. `None` in remarks and texts, and where nothing takes arguments.
+pub fn signature_help(db: &dyn Db, file: SourceFile, offset: u32) -> Option<SignatureHelp> {
+    let typed = Typed::before(db, file, offset)?;
+    let mut end = typed.tokens.len();
+    // From the innermost parenthesis outwards: one that only groups has no meaning of its own.
+    while let Some((open, commas)) = typed.open_paren(end) {
+        match typed.head(open) {
+            Head::Function(id) => return Some(function(id, commas)),
+            Head::Operand(class) => {
+                let dim = typed.command(db, file, offset).filter(|id| id.info().shape == Shape::Dim);
+                return Some(dim.map_or_else(|| operand(class), |id| command_help(id, Some(commas))));
+            }
+            Head::Argument => {
+                let id = typed.command(db, file, offset)?;
+                return Some(command_help(id, Some(commas)));
+            }
+            Head::Group => end = open,
+        }
+    }
+    let id = typed.command(db, file, offset)?;
+    let written = typed.written(db, file, offset, id);
+    Some(command_help(id, written))
+}
+
+/// The tokens of a line before a place.
+struct Typed<'a> {
+    text: &'a str,
+    tokens: &'a [Token],
+}
+
+/// What an open parenthesis belongs to.
+enum Head {
+    Function(FunctionId),
+    Operand(OperandClass),
+    /// An axis or a command.
+    Argument,
+    /// It groups a part of an expression.
+    Group,
+}
+
+impl<'a> Typed<'a> {
+    fn before(db: &'a dyn Db, file: SourceFile, offset: u32) -> Option<Self> {
+        let tokens = parse(db, file).tokens();
+        let end = tokens.partition_point(|token| token.span.start < offset);
+        let tokens = tokens.get(..end)?;
+        let last = tokens.last()?;
+        let inside = match last.kind {
+            TokenKind::Comment | TokenKind::RemarkText => true,
+            TokenKind::String => offset < last.span.end,
+            _ => false,
+        };
+        let line = tokens.iter().rposition(|token| token.kind == TokenKind::Newline).map_or(0, |newline| newline + 1);
+        let tokens = tokens.get(line..).filter(|tokens| !tokens.is_empty() && !inside)?;
+        Some(Self { text: file.text(db), tokens })
+    }
+
+    /// The innermost parenthesis that is open before the token `end`, and the commas behind it.
+    fn open_paren(&self, end: usize) -> Option<(usize, u32)> {
+        let (mut depth, mut commas) = (0_u32, 0);
+        for (place, token) in self.tokens.get(..end)?.iter().enumerate().rev() {
+            match token.kind {
+                TokenKind::RightParen => depth += 1,
+                TokenKind::LeftParen if depth == 0 => return Some((place, commas)),
+                TokenKind::LeftParen => depth -= 1,
+                TokenKind::Comma if depth == 0 => commas += 1,
+                TokenKind::Colon => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    fn head(&self, open: usize) -> Head {
+        let before = self.tokens.get(..open).unwrap_or_default();
+        let Some(last) = before.last() else { return Head::Group };
+        let is_touching = |first: &Token, second: &Token| first.span.end == second.span.start;
+        let start = match (last.kind, before.iter().nth_back(1)) {
+            // `CHR$`
+            (TokenKind::Dollar, Some(word)) if word.kind == TokenKind::Word && is_touching(word, last) => {
+                word.span.start
+            }
+            // `LA0(`
+            (TokenKind::Integer, Some(word)) if is_touching(word, last) => word.span.start,
+            (TokenKind::Word | TokenKind::Dollar, _) => last.span.start,
+            _ => return Head::Group,
+        };
+        let numbered = last.kind == TokenKind::Integer;
+        let name = self.text.get(start as usize..last.span.end as usize).unwrap_or_default();
+        let known = word(name.trim_end_matches(|c: char| c.is_ascii_digit()));
+        match known {
+            Some(known) if known.function.is_some() => known.function.map_or(Head::Group, Head::Function),
+            Some(known) if known.command.is_none() => match known.operand {
+                // Behind its number only an array has something in parentheses.
+                Some(class) if !numbered || class.is_array() => Head::Operand(class),
+                None if known.operator.is_some() || known.unary.is_some() => Head::Group,
+                _ => Head::Argument,
+            },
+            _ => Head::Argument,
+        }
+    }
+
+    /// The command of the statement that a place belongs to.
+    fn command(&self, db: &dyn Db, file: SourceFile, offset: u32) -> Option<CommandId> {
+        let statements = parse(db, file).statements();
+        let after = statements.partition_point(|statement| statement.span.start < offset);
+        let statement = statements.get(after.checked_sub(1)?)?;
+        let first = self.tokens.first()?;
+        let ended = self.tokens.iter().rev().take_while(|token| token.span.start >= statement.span.end);
+        if statement.span.start < first.span.start || ended.into_iter().any(|token| token.kind == TokenKind::Colon) {
+            return None;
+        }
+        match &statement.kind {
+            StatementKind::Command(command) => Some(command.id),
+            StatementKind::If(_) => Some(command::IF),
+            StatementKind::For(_) => Some(command::FOR),
+            StatementKind::Print(_) => Some(command::PRINT),
+            StatementKind::Input(_) => Some(command::INPUT),
+            StatementKind::Dim(dim) => Some(dim.id),
+            StatementKind::Define(_) => Some(command::DEFINE),
+            StatementKind::Error => self.unreadable(statement.span.start),
+            StatementKind::Remark(_) | StatementKind::Label(_) | StatementKind::Assign(_) => None,
+        }
+    }
+
+    /// The command with which a statement begins that could not be read.
+    fn unreadable(&self, start: u32) -> Option<CommandId> {
+        let mut words = self
+            .tokens
+            .iter()
+            .skip_while(|token| token.span.start < start)
+            .take_while(|token| matches!(token.kind, TokenKind::Word | TokenKind::Dollar))
+            .map(|token| self.text.get(token.span.range()).unwrap_or_default());
+        let first = word(words.next()?)?.command?;
+        Some(words.map_while(|word| daughter(first, word)).last().unwrap_or(first))
+    }
+
+    /// Which argument comes next, outside of parentheses.
+    fn written(&self, db: &dyn Db, file: SourceFile, offset: u32, id: CommandId) -> Option<u32> {
+        let tree = parse(db, file);
+        let after = tree.statements().partition_point(|statement| statement.span.start < offset);
+        let statement = tree.statements().get(after.checked_sub(1)?)?;
+        let StatementKind::Command(written) = &statement.kind else { return Some(0) };
+        match id.info().shape {
+            Shape::Values => {
+                let values = written.arguments.iter().filter_map(|argument| match argument {
+                    Argument::Value(value) => Some(value.span),
+                    _ => None,
+                });
+                Some(values.filter(|span| span.end < offset).count() as u32)
+            }
+            _ => Some(0),
+        }
+    }
+}
+
+fn command_help(id: CommandId, active: Option<u32>) -> SignatureHelp {
+    let info = id.info();
+    let arguments: Vec<ArgumentHelp> = info
+        .arguments
+        .iter()
+        .map(|argument| ArgumentHelp {
+            label: place_of(info.signature, argument.name),
+            facts: facts(&[
+                ("", argument.kind),
+                ("in ", argument.unit),
+                ("range ", argument.range),
+                ("default ", argument.default),
+            ]),
+        })
+        .collect();
+    let active = active.filter(|active| (*active as usize) < arguments.len());
+    SignatureHelp { label: info.signature.to_owned(), summary: info.summary.to_owned(), arguments, active }
+}
+
+fn function(id: FunctionId, commas: u32) -> SignatureHelp {
+    let info = id.info();
+    let mut label = format!("{}(", info.name);
+    let mut arguments = Vec::new();
+    for (place, class) in info.argument_types.iter().enumerate() {
+        label += if place > 0 { ", " } else { "" };
+        let start = label.len() as u32;
+        label += class.name();
+        let optional = if place >= usize::from(info.min_args) { "may be left out" } else { "" };
+        let facts = facts(&[("", class.name()), ("", optional), ("", info.domain)]);
+        arguments.push(ArgumentHelp { label: Some(start..label.len() as u32), facts });
+    }
+    label += ")";
+    let active = Some(commas).filter(|active| (*active as usize) < arguments.len());
+    SignatureHelp { label, summary: info.summary.to_owned(), arguments, active }
+}
+
+fn operand(class: OperandClass) -> SignatureHelp {
+    let info = class.info();
+    let argument = ArgumentHelp { label: None, facts: facts(&[("numbers ", info.index)]) };
+    SignatureHelp {
+        label: info.name.to_owned(),
+        summary: info.summary.to_owned(),
+        arguments: vec![argument],
+        active: Some(0),
+    }
+}
+
+/// Where a name stands in a form, as a word of its own.
+fn place_of(signature: &str, name: &str) -> Option<Range<u32>> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let at = signature.match_indices(name).map(|(at, _)| at).find(|at| {
+        let before = signature.get(..*at).and_then(|text| text.chars().next_back());
+        let behind = signature.get(at + name.len()..).and_then(|text| text.chars().next());
+        !before.is_some_and(is_word) && !behind.is_some_and(is_word)
+    })?;
+    Some(at as u32..(at + name.len()) as u32)
+}
+
+/// The facts that are known, with what introduces them.
+fn facts(facts: &[(&str, &str)]) -> String {
+    let known = facts.iter().filter(|(_, fact)| !fact.is_empty());
+    known.map(|(word, fact)| format!("{word}{fact}")).collect::<Vec<_>>().join(", ")
+}
