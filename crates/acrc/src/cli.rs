@@ -1,6 +1,7 @@
 //! The arguments of the command line.
 
 mod fmt;
+mod link;
 mod lint;
 mod repl;
 
@@ -11,6 +12,7 @@ use acrc_image::UnitName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use fmt::{FmtArguments, Numbering};
+pub(crate) use link::{GetArguments, NameArguments, ResetKamrArguments, SetArguments, ToArguments};
 pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
 pub(crate) use repl::{ReplArguments, Speed};
 
@@ -61,6 +63,12 @@ pub(crate) enum Command {
     Repl(ReplArguments),
     /// Show or forget what the controller of `acrc sim --state` keeps without power
     State(StateArguments),
+    /// Read parameters and flags of a controller
+    Get(GetArguments),
+    /// Write parameters and flags of a controller, and read them back
+    Set(SetArguments),
+    /// Clear the flags of a controller that keep motion from starting
+    ResetKamr(ResetKamrArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
     Explain(ExplainArguments),
 }

@@ -3,13 +3,17 @@
 mod build;
 mod explain;
 mod fmt;
+mod get;
 mod kinds;
+mod link;
 mod lint;
 mod list;
 mod mem;
 pub(crate) mod nonvolatile;
 mod project;
 mod repl;
+mod reset_kamr;
+mod set;
 mod sim;
 mod source_file;
 mod state;
@@ -30,6 +34,9 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Sim(sim) => sim::run(sim, arguments.color),
         Command::Repl(repl) => repl::run(repl, arguments.color),
         Command::State(state) => state::run(state),
+        Command::Get(get) => get::run(get, arguments.color),
+        Command::Set(set) => set::run(set, arguments.color),
+        Command::ResetKamr(reset) => reset_kamr::run(reset, arguments.color),
         Command::Explain(explain) => explain::run(explain),
     }
 }

@@ -35,6 +35,11 @@ use crate::output::{Terminal, refuse_clashes};
 /// Virtual time of a run when nothing else is said, in seconds.
 const DEFAULT_UNTIL: f64 = 60.0;
 
+/// The names of the axes that the text of a project attaches.
+pub(super) fn attached_axes(image: &Image) -> Vec<(String, u8)> {
+    signals::attached_axes(image)
+}
+
 /// What is to be run.
 struct Setup {
     image: Arc<Image>,

@@ -14,6 +14,11 @@ use acrc_trace::Signal;
 use self::names::Names;
 use self::quantities::Quantity;
 
+/// The names of the axes that the text of a project attaches.
+pub(super) fn attached_axes(image: &Image) -> Vec<(String, u8)> {
+    attachments::of(image).into_iter().map(|attached| (attached.name, attached.axis)).collect()
+}
+
 /// A signal with the way to its values.
 #[derive(Clone, Debug)]
 struct Column {
