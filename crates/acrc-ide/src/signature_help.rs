@@ -40,18 +40,17 @@ pub fn signature_help(db: &dyn Db, file: SourceFile, offset: u32) -> Option<Sign
             Head::Function(id) => return Some(function(id, commas)),
             Head::Operand(class) => {
                 let dim = typed.command(db, file, offset).filter(|id| id.info().shape == Shape::Dim);
-                return Some(dim.map_or_else(|| operand(class), |id| command_help(id, Some(commas))));
+                return Some(dim.map_or_else(|| operand(class), |id| command_help(id, commas)));
             }
             Head::Argument => {
                 let id = typed.command(db, file, offset)?;
-                return Some(command_help(id, Some(commas)));
+                return Some(command_help(id, commas));
             }
             Head::Group => end = open,
         }
     }
     let id = typed.command(db, file, offset)?;
-    let written = typed.written(db, file, offset, id);
-    Some(command_help(id, written))
+    Some(command_help(id, written(db, file, offset, id)))
 }
 
 /// The tokens of a line before a place.
@@ -165,27 +164,26 @@ impl<'a> Typed<'a> {
         let first = word(words.next()?)?.command?;
         Some(words.map_while(|word| daughter(first, word)).last().unwrap_or(first))
     }
+}
 
-    /// Which argument comes next, outside of parentheses.
-    fn written(&self, db: &dyn Db, file: SourceFile, offset: u32, id: CommandId) -> Option<u32> {
-        let tree = parse(db, file);
-        let after = tree.statements().partition_point(|statement| statement.span.start < offset);
-        let statement = tree.statements().get(after.checked_sub(1)?)?;
-        let StatementKind::Command(written) = &statement.kind else { return Some(0) };
-        match id.info().shape {
-            Shape::Values => {
-                let values = written.arguments.iter().filter_map(|argument| match argument {
-                    Argument::Value(value) => Some(value.span),
-                    _ => None,
-                });
-                Some(values.filter(|span| span.end < offset).count() as u32)
-            }
-            _ => Some(0),
+/// Which argument of a command comes next, outside of parentheses.
+fn written(db: &dyn Db, file: SourceFile, offset: u32, id: CommandId) -> u32 {
+    let statements = parse(db, file).statements();
+    let after = statements.partition_point(|statement| statement.span.start < offset);
+    let statement = after.checked_sub(1).and_then(|place| statements.get(place));
+    match statement.map(|statement| &statement.kind) {
+        Some(StatementKind::Command(written)) if id.info().shape == Shape::Values => {
+            let values = written.arguments.iter().filter_map(|argument| match argument {
+                Argument::Value(value) => Some(value.span),
+                _ => None,
+            });
+            values.filter(|span| span.end < offset).count() as u32
         }
+        _ => 0,
     }
 }
 
-fn command_help(id: CommandId, active: Option<u32>) -> SignatureHelp {
+fn command_help(id: CommandId, active: u32) -> SignatureHelp {
     let info = id.info();
     let arguments: Vec<ArgumentHelp> = info
         .arguments
@@ -200,7 +198,7 @@ fn command_help(id: CommandId, active: Option<u32>) -> SignatureHelp {
             ]),
         })
         .collect();
-    let active = active.filter(|active| (*active as usize) < arguments.len());
+    let active = Some(active).filter(|active| (*active as usize) < arguments.len());
     SignatureHelp { label: info.signature.to_owned(), summary: info.summary.to_owned(), arguments, active }
 }
 
