@@ -8,14 +8,17 @@
 //! the database and changes nothing, so it may run on a snapshot in any thread. Every function takes any offset, also one
 //! outside of the text or within a character, and never panics.
 
+mod completion;
 mod hover;
 mod occurrence;
 mod place;
 mod remark;
 mod semantic_tokens;
 mod signature_help;
+mod typed;
 
-pub use hover::{Hover, hover};
+pub use completion::{Completion, CompletionKind, Completions, completions};
+pub use hover::{Hover, hover, page};
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
 pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};

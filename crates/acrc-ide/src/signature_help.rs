@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use acrc_analysis::query::parse;
 use acrc_analysis::{Db, SourceFile};
-use acrc_catalog::{CommandId, FunctionId, OperandClass, Shape, command, daughter, word};
+use acrc_catalog::{CommandId, FunctionId, OperandClass, Shape};
 use acrc_syntax::ast::{Argument, StatementKind};
-use acrc_syntax::lexer::{Token, TokenKind};
+
+use crate::typed::{Head, Typed};
 
 /// A form with its arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,119 +52,6 @@ pub fn signature_help(db: &dyn Db, file: SourceFile, offset: u32) -> Option<Sign
     }
     let id = typed.command(db, file, offset)?;
     Some(command_help(id, written(db, file, offset, id)))
-}
-
-/// The tokens of a line before a place.
-struct Typed<'a> {
-    text: &'a str,
-    tokens: &'a [Token],
-}
-
-/// What an open parenthesis belongs to.
-enum Head {
-    Function(FunctionId),
-    Operand(OperandClass),
-    /// An axis or a command.
-    Argument,
-    /// It groups a part of an expression.
-    Group,
-}
-
-impl<'a> Typed<'a> {
-    fn before(db: &'a dyn Db, file: SourceFile, offset: u32) -> Option<Self> {
-        let tokens = parse(db, file).tokens();
-        let end = tokens.partition_point(|token| token.span.start < offset);
-        let tokens = tokens.get(..end)?;
-        let last = tokens.last()?;
-        let inside = match last.kind {
-            TokenKind::Comment | TokenKind::RemarkText => true,
-            TokenKind::String => offset < last.span.end,
-            _ => false,
-        };
-        let line = tokens.iter().rposition(|token| token.kind == TokenKind::Newline).map_or(0, |newline| newline + 1);
-        let tokens = tokens.get(line..).filter(|tokens| !tokens.is_empty() && !inside)?;
-        Some(Self { text: file.text(db), tokens })
-    }
-
-    /// The innermost parenthesis that is open before the token `end`, and the commas behind it.
-    fn open_paren(&self, end: usize) -> Option<(usize, u32)> {
-        let (mut depth, mut commas) = (0_u32, 0);
-        for (place, token) in self.tokens.get(..end)?.iter().enumerate().rev() {
-            match token.kind {
-                TokenKind::RightParen => depth += 1,
-                TokenKind::LeftParen if depth == 0 => return Some((place, commas)),
-                TokenKind::LeftParen => depth -= 1,
-                TokenKind::Comma if depth == 0 => commas += 1,
-                TokenKind::Colon => return None,
-                _ => {}
-            }
-        }
-        None
-    }
-
-    fn head(&self, open: usize) -> Head {
-        let before = self.tokens.get(..open).unwrap_or_default();
-        let Some(last) = before.last() else { return Head::Group };
-        let is_touching = |first: &Token, second: &Token| first.span.end == second.span.start;
-        let start = match (last.kind, before.iter().nth_back(1)) {
-            // `CHR$`
-            (TokenKind::Dollar, Some(word)) if word.kind == TokenKind::Word && is_touching(word, last) => {
-                word.span.start
-            }
-            // `LA0(`
-            (TokenKind::Integer, Some(word)) if is_touching(word, last) => word.span.start,
-            (TokenKind::Word | TokenKind::Dollar, _) => last.span.start,
-            _ => return Head::Group,
-        };
-        let numbered = last.kind == TokenKind::Integer;
-        let name = self.text.get(start as usize..last.span.end as usize).unwrap_or_default();
-        let known = word(name.trim_end_matches(|c: char| c.is_ascii_digit()));
-        match known {
-            Some(known) if known.function.is_some() => known.function.map_or(Head::Group, Head::Function),
-            Some(known) if known.command.is_none() => match known.operand {
-                // Behind its number only an array has something in parentheses.
-                Some(class) if !numbered || class.is_array() => Head::Operand(class),
-                None if known.operator.is_some() || known.unary.is_some() => Head::Group,
-                _ => Head::Argument,
-            },
-            _ => Head::Argument,
-        }
-    }
-
-    /// The command of the statement that a place belongs to.
-    fn command(&self, db: &dyn Db, file: SourceFile, offset: u32) -> Option<CommandId> {
-        let statements = parse(db, file).statements();
-        let after = statements.partition_point(|statement| statement.span.start < offset);
-        let statement = statements.get(after.checked_sub(1)?)?;
-        let first = self.tokens.first()?;
-        let ended = self.tokens.iter().rev().take_while(|token| token.span.start >= statement.span.end);
-        if statement.span.start < first.span.start || ended.into_iter().any(|token| token.kind == TokenKind::Colon) {
-            return None;
-        }
-        match &statement.kind {
-            StatementKind::Command(command) => Some(command.id),
-            StatementKind::If(_) => Some(command::IF),
-            StatementKind::For(_) => Some(command::FOR),
-            StatementKind::Print(_) => Some(command::PRINT),
-            StatementKind::Input(_) => Some(command::INPUT),
-            StatementKind::Dim(dim) => Some(dim.id),
-            StatementKind::Define(_) => Some(command::DEFINE),
-            StatementKind::Error => self.unreadable(statement.span.start),
-            StatementKind::Remark(_) | StatementKind::Label(_) | StatementKind::Assign(_) => None,
-        }
-    }
-
-    /// The command with which a statement begins that could not be read.
-    fn unreadable(&self, start: u32) -> Option<CommandId> {
-        let mut words = self
-            .tokens
-            .iter()
-            .skip_while(|token| token.span.start < start)
-            .take_while(|token| matches!(token.kind, TokenKind::Word | TokenKind::Dollar))
-            .map(|token| self.text.get(token.span.range()).unwrap_or_default());
-        let first = word(words.next()?)?.command?;
-        Some(words.map_while(|word| daughter(first, word)).last().unwrap_or(first))
-    }
 }
 
 /// Which argument of a command comes next, outside of parentheses.

@@ -9,7 +9,7 @@ use acrc_analysis::{Db, SourceFile};
 use acrc_catalog::{Entry, Known, OperandClass, bit, parameter};
 use acrc_diagnostics::Span;
 
-use crate::{Entity, FilePosition, Occurrence, at};
+use crate::{Entity, FilePosition, at};
 
 /// What is known of the thing at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub struct Hover {
 /// What is known of the thing at a place. `None` where nothing stands that has a meaning.
 pub fn hover(db: &dyn Db, position: FilePosition) -> Option<Hover> {
     let occurrence = at(db, position)?;
-    let mut markdown = page(db, position, &occurrence);
+    let mut markdown = page(db, position, &occurrence.entity);
     if let (Entity::Command(_), Some(bytes)) =
         (&occurrence.entity, statement_bytes(db, position.file, occurrence.statement))
     {
@@ -34,8 +34,9 @@ pub fn hover(db: &dyn Db, position: FilePosition) -> Option<Hover> {
     Some(Hover { span: occurrence.span, markdown })
 }
 
-fn page(db: &dyn Db, position: FilePosition, occurrence: &Occurrence) -> String {
-    match &occurrence.entity {
+/// What is known of something that is meant at a place, as Markdown.
+pub fn page(db: &dyn Db, position: FilePosition, entity: &Entity) -> String {
+    match entity {
         Entity::Command(id) => Entry::Command(id.info()).markdown(),
         Entity::Function(id) => Entry::Function(id.info()).markdown(),
         Entity::Word(keyword) => Entry::Keyword(*keyword).markdown(),

@@ -1,5 +1,6 @@
 //! Editor features through the public surface of the crate.
 
+mod completion;
 mod fixture;
 mod hover;
 mod occurrences;
