@@ -3,6 +3,7 @@
 mod fmt;
 mod link;
 mod lint;
+mod motion;
 mod repl;
 
 use std::path::PathBuf;
@@ -14,6 +15,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(crate) use fmt::{FmtArguments, Numbering};
 pub(crate) use link::{GetArguments, NameArguments, ResetKamrArguments, SetArguments, ToArguments};
 pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
+pub(crate) use motion::{MoveArguments, WatchArguments};
 pub(crate) use repl::{ReplArguments, Speed};
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
@@ -67,6 +69,10 @@ pub(crate) enum Command {
     Get(GetArguments),
     /// Write parameters and flags of a controller, and read them back
     Set(SetArguments),
+    /// Move axes of a controller, and stop them at Ctrl-C
+    Move(MoveArguments),
+    /// Watch parameters and flags of a controller while they change
+    Watch(WatchArguments),
     /// Clear the flags of a controller that keep motion from starting
     ResetKamr(ResetKamrArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic

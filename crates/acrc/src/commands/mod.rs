@@ -9,6 +9,7 @@ mod link;
 mod lint;
 mod list;
 mod mem;
+mod mov;
 pub(crate) mod nonvolatile;
 mod project;
 mod repl;
@@ -19,6 +20,7 @@ mod source_file;
 mod state;
 mod stdin;
 mod targets;
+mod watch;
 
 use crate::cli::{Arguments, Command};
 use crate::exit::Exit;
@@ -36,6 +38,8 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::State(state) => state::run(state),
         Command::Get(get) => get::run(get, arguments.color),
         Command::Set(set) => set::run(set, arguments.color),
+        Command::Move(order) => mov::run(order, arguments.color),
+        Command::Watch(watch) => watch::run(watch, arguments.color),
         Command::ResetKamr(reset) => reset_kamr::run(reset, arguments.color),
         Command::Explain(explain) => explain::run(explain),
     }
