@@ -29,6 +29,7 @@ pub enum Special {
 
 /// What immediate statements of one line do, as far as a download has to know.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "independent yes-or-no facts")]
 pub struct Traits {
     /// It stands alone on its line, and is one of these.
     pub special: Option<Special>,

@@ -69,7 +69,7 @@ impl Listing {
             line: same + 1,
             expected: expected.get(same).cloned(),
             found: found.get(same).cloned(),
-            place: place_of_line(unit, same),
+            place: places_of_lines(unit).get(same).copied().flatten(),
         })
     }
 }
@@ -105,11 +105,13 @@ pub fn unit_lines(unit: &Unit, aliases: &[Alias]) -> Option<Vec<String>> {
     Some(text.lines().map(str::to_owned).collect())
 }
 
-/// Where the source has a line of a unit, counted from 0.
-pub(super) fn place_of_line(unit: &Unit, line: usize) -> Option<Place> {
-    let instructions = unit.decode().ok()?;
-    let address = lines(&instructions).nth(line)?.address;
-    let location = unit.debug.as_ref()?.locate(address)?;
-    let span = acrc_diagnostics::Span::new(location.span.start, location.span.end);
-    Some(Place { file: location.file as usize, line: location.line, span })
+/// Where the source has each line of a unit.
+pub(super) fn places_of_lines(unit: &Unit) -> Vec<Option<Place>> {
+    let instructions = unit.decode().unwrap_or_default();
+    let place = |address| {
+        let location = unit.debug.as_ref()?.locate(address)?;
+        let span = acrc_diagnostics::Span::new(location.span.start, location.span.end);
+        Some(Place { file: location.file as usize, line: location.line, span })
+    };
+    lines(&instructions).map(|line| place(line.address)).collect()
 }

@@ -9,20 +9,29 @@
 //!
 //! Whoever is cut off does the same again: the survey shows what is there already.
 
+mod compare;
+mod demand;
 mod immediate;
 mod listing;
+mod objection;
 mod plan;
 mod problem;
 mod script;
 mod send;
 mod state;
 mod survey;
+mod upload;
+mod verify;
 
+pub use compare::{Comparison, Entry, Pair, Standing, compare};
 pub use immediate::{Detached, Special, Traits};
 pub use listing::{Difference, Listing, Names, unit_lines};
-pub use plan::{Deed, Objection, Plan, Save, Settings, Step};
+pub use objection::Objection;
+pub use plan::{Deed, Plan, Save, Settings, Step};
 pub use problem::{Problem, codes};
 pub use script::{Kind, LONGEST_LINE, Place, Script, ScriptFile, ScriptLine, level_of, unit_at};
-pub use send::{Cause, Event, Failure, Watcher, send, verify};
+pub use send::{Cause, Event, Failure, Watcher, send};
 pub use state::{Fate, State};
 pub use survey::{Survey, survey};
+pub use upload::{Upload, UploadedFile, upload};
+pub use verify::verify;

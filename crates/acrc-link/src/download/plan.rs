@@ -6,16 +6,15 @@
 //! already, and for a project that only brings programs, the programs that are the same stay. Those that are not are erased
 //! before anything else is sent, so that at no time an old program stands beside new settings or names.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Model, law};
-use acrc_image::{Alias, Unit, UnitName};
+use acrc_image::UnitName;
 use acrc_syntax::units::Level;
-use thiserror::Error;
 
-use super::immediate::{Detached, Special, Traits};
-use super::listing::Names;
+use super::demand::{Demand, kept};
+use super::immediate::{Special, Traits};
+use super::objection::{Objection, objections};
 use super::script::{Kind, Place, Script, ScriptLine, level_of};
 use super::state::{Fate, State};
 use super::survey::{Survey, switch};
@@ -116,56 +115,6 @@ pub struct Plan {
     pub state: State,
 }
 
-/// Why a download is not begun.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum Objection {
-    /// Programs run.
-    #[error("{} on the controller", going(.0))]
-    Running(Vec<UnitName>),
-    /// Something moves.
-    #[error("{} in motion", .0.join(", "))]
-    Moving(Vec<String>),
-    /// Drives are enabled.
-    #[error("the drive of {} is enabled", axes(.0))]
-    Enabled(Vec<u8>),
-    /// A program has no memory.
-    #[error("{unit} needs {needed} bytes, and {available}")]
-    NoMemory {
-        /// The program.
-        unit: UnitName,
-        /// Bytes of its text.
-        needed: u64,
-        /// What it has.
-        available: String,
-    },
-    /// The programs are protected.
-    #[error("the programs of the controller are protected from being listed ({0})")]
-    Protected(String),
-}
-
-impl Objection {
-    /// What to do about it.
-    pub fn help(&self) -> &'static str {
-        match self {
-            Self::Running(_) => "--halt halts all programs first",
-            Self::Moving(_) => "wait until it is over, or stop it; --halt ends motion of programs, but not jogging",
-            Self::Enabled(_) => "disable it with DRIVE OFF, or allow it with --with-drives-enabled",
-            Self::NoMemory { .. } => "give it memory with `DIM PROGn(bytes)` at SYS in the setup of the project",
-            Self::Protected(_) => "--password \"TEXT\" lifts the protection with PASSWORD OFF",
-        }
-    }
-}
-
-fn going(units: &[UnitName]) -> String {
-    let names: Vec<String> = units.iter().map(ToString::to_string).collect();
-    format!("{} {}", names.join(", "), if units.len() == 1 { "runs or is paused" } else { "run or are paused" })
-}
-
-fn axes(axes: &[u8]) -> String {
-    let names: Vec<String> = axes.iter().map(|axis| format!("AXIS{axis}")).collect();
-    names.join(", ")
-}
-
 impl Plan {
     /// The steps of a project for a controller in this state.
     ///
@@ -189,154 +138,6 @@ impl Plan {
         }
         builder.goto(Level::System);
         Ok(builder.finish())
-    }
-}
-
-/// What a project says of the memory and the programs of the whole controller, in the order in which it says it.
-#[derive(Debug, Default)]
-struct Demand {
-    /// `CLEAR` at the system prompt.
-    clears: bool,
-    /// What it dimensions; `None` when a size is computed or a block is dimensioned twice.
-    memory: Option<BTreeMap<SystemBlock, u64>>,
-    dims: bool,
-    /// `NEW ALL`
-    erases_all: bool,
-    /// It erases all programs before it clears or dimensions.
-    erases_first: bool,
-    /// It clears before it dimensions.
-    clears_first: bool,
-    /// The programs that it attaches something to without detaching before.
-    attaches: BTreeSet<Level>,
-    /// The programs that it gives variables to without clearing them before.
-    dims_locals: BTreeSet<Level>,
-    /// The last line of each text.
-    ends: BTreeMap<UnitName, usize>,
-}
-
-impl Demand {
-    fn of(script: &Script) -> Self {
-        let mut demand = Self { memory: Some(BTreeMap::new()), ..Self::default() };
-        let (mut detached, mut cleared) = (BTreeSet::new(), BTreeSet::new());
-        let mut all_detached = false;
-        for (index, line) in script.lines.iter().enumerate() {
-            if let Some(unit) = line.unit() {
-                demand.ends.insert(unit, index);
-            }
-            let Kind::Immediate(traits) = &line.kind else { continue };
-            demand.special(traits.special.as_ref());
-            match traits.detaches {
-                Some(Detached::All) => all_detached = true,
-                Some(Detached::Program) => _ = detached.insert(line.level),
-                None if traits.attaches && !all_detached && !detached.contains(&line.level) => {
-                    demand.attaches.insert(line.level);
-                }
-                None => {}
-            }
-            if traits.clears_locals {
-                cleared.insert(line.level);
-            }
-            if traits.dims_locals && !cleared.contains(&line.level) {
-                demand.dims_locals.insert(line.level);
-            }
-        }
-        demand
-    }
-
-    fn special(&mut self, special: Option<&Special>) {
-        match special {
-            Some(Special::EraseAll) => {
-                self.erases_all = true;
-                self.erases_first |= !self.clears && !self.dims;
-            }
-            Some(Special::Clear) => {
-                self.clears = true;
-                self.clears_first |= !self.dims;
-                // What was given before is gone.
-                self.memory = Some(BTreeMap::new());
-            }
-            Some(Special::Dim(block)) => {
-                self.dims = true;
-                let new = block.filter(|(block, size)| {
-                    self.memory.as_mut().is_some_and(|memory| memory.insert(*block, *size).is_none())
-                });
-                if new.is_none() {
-                    self.memory = None;
-                }
-            }
-            _ => {}
-        }
-    }
-
-    fn shares_memory(&self) -> bool {
-        self.clears || self.dims
-    }
-
-    /// Whether the controller has the memory, no other programs and no other aliases.
-    fn is_met_by(&self, script: &Script, survey: &Survey) -> bool {
-        let own = |unit: &UnitName| script.unit(*unit).is_some();
-        let known = |alias: &Alias| script.image.aliases.contains(alias);
-        survey.protected.is_none()
-            && self.memory.is_some()
-            && survey.memory == self.memory
-            && survey.programs.keys().all(own)
-            && survey.aliases.as_ref().is_some_and(|aliases| aliases.iter().all(known))
-    }
-}
-
-/// The programs that the controller has as the project has them, with the same meaning of their names.
-fn kept(script: &Script, survey: &Survey) -> Vec<UnitName> {
-    let names = Names::new(&script.image.aliases, survey.aliases.as_deref().unwrap_or_default());
-    let same = |unit: &&Unit| {
-        let listing = survey.programs.get(&unit.name);
-        listing.is_some_and(|listing| listing.compare(unit, &names).is_ok()) && means_the_same(unit, script, survey)
-    };
-    script.units().filter(same).map(|unit| unit.name).collect()
-}
-
-fn means_the_same(unit: &Unit, script: &Script, survey: &Survey) -> bool {
-    let places = unit.aliases().unwrap_or_default();
-    places.into_iter().all(|place| {
-        let alias = script.image.aliases.get(usize::from(place));
-        alias.zip(survey.aliases.as_ref()).is_some_and(|(alias, known)| known.contains(alias))
-    })
-}
-
-fn objections(script: &Script, survey: &Survey, demand: &Demand, settings: &Settings) -> Vec<Objection> {
-    let mut objections = Vec::new();
-    if !survey.running.is_empty() && !settings.halt {
-        objections.push(Objection::Running(survey.running.clone()));
-    }
-    if !survey.moving.is_empty() && !settings.halt {
-        objections.push(Objection::Moving(survey.moving.clone()));
-    }
-    if !survey.enabled.is_empty() && !settings.with_drives_enabled {
-        objections.push(Objection::Enabled(survey.enabled.clone()));
-    }
-    let password = settings.password.is_some() || script.image.password().ok().flatten().is_some();
-    if let Some(text) = survey.protected.as_ref().filter(|_| !password) {
-        objections.push(Objection::Protected(text.clone()));
-    }
-    let memory = if demand.shares_memory() { &demand.memory } else { &survey.memory };
-    for unit in script.units() {
-        let (needed, block) = (u64::from(unit.memory()), block_of(unit.name));
-        let Some((memory, block)) = memory.as_ref().zip(block) else { continue };
-        let available = match memory.get(&block) {
-            Some(size) if *size >= needed => continue,
-            Some(size) => format!("it has {size}"),
-            None if demand.shares_memory() => "the project gives it none".to_owned(),
-            None => "neither the controller nor the project gives it any".to_owned(),
-        };
-        objections.push(Objection::NoMemory { unit: unit.name, needed, available });
-    }
-    objections
-}
-
-fn block_of(unit: UnitName) -> Option<SystemBlock> {
-    match unit {
-        UnitName::Boot => None,
-        UnitName::Program(number) => Some(SystemBlock::Program(number)),
-        UnitName::Plc(number) => Some(SystemBlock::Plc(number)),
     }
 }
 

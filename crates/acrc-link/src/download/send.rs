@@ -7,16 +7,16 @@ use acrc_image::UnitName;
 use acrc_syntax::units::Level;
 use thiserror::Error;
 
-use super::listing::{Difference, Names};
-use super::plan::{Deed, Plan, Save, Settings, Step, numbers_flag};
+use super::listing::Difference;
+use super::plan::{Deed, Plan, Save, Settings, Step};
 use super::problem::{Problem, codes};
 use super::script::Script;
 use super::state::{Fate, State};
-use super::survey::{self, Listed, Survey, list_program, numbers_lines, switch};
+use super::survey::{self, Survey, switch};
 use crate::{Answer, Console, LinkError};
 
 /// How long a line may take that waits or writes to slow memory.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 /// How long is waited for motion to end behind `HALT ALL`, in looks and the time between them.
 const LOOKS: u32 = 100;
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
@@ -146,41 +146,22 @@ pub fn send(
     settings: &Settings,
     watcher: &mut dyn Watcher,
     model: &Model,
-) -> Result<State, Failure> {
+) -> Result<State, Box<Failure>> {
     let mut sender = Sender { console, watcher, state: plan.state.clone(), model, script, step: None };
     let result = sender.all(plan, settings);
     let Err(cause) = result else { return Ok(sender.state) };
     let tidied = sender.tidy();
-    Err(Failure { cause, step: sender.step, state: sender.state, tidied })
+    Err(Box::new(Failure { cause, step: sender.step, state: sender.state, tidied }))
 }
 
-/// Compares the programs, the memory and the aliases of a controller with a project.
-///
-/// # Errors
-/// The first difference, or that the controller does not answer.
-pub fn verify(
-    console: &mut dyn Console,
-    script: &Script,
-    watcher: &mut dyn Watcher,
-    model: &Model,
-    state: State,
-) -> Result<State, Failure> {
-    let mut sender = Sender { console, watcher, state, model, script, step: None };
-    let result = survey::begin(sender.console).map_err(Cause::from).and_then(|()| sender.verify(None));
-    match result {
-        Ok(()) => Ok(sender.state),
-        Err(cause) => Err(Failure { cause, step: None, state: sender.state, tidied: None }),
-    }
-}
-
-struct Sender<'a> {
-    console: &'a mut dyn Console,
-    watcher: &'a mut dyn Watcher,
-    state: State,
-    model: &'a Model,
-    script: &'a Script,
+pub(super) struct Sender<'a> {
+    pub(super) console: &'a mut dyn Console,
+    pub(super) watcher: &'a mut dyn Watcher,
+    pub(super) state: State,
+    pub(super) model: &'a Model,
+    pub(super) script: &'a Script,
     /// The line that was sent last.
-    step: Option<Step>,
+    pub(super) step: Option<Step>,
 }
 
 impl Sender<'_> {
@@ -269,17 +250,17 @@ impl Sender<'_> {
         Ok(())
     }
 
-    fn ask(&mut self, line: &str, waits: bool) -> Result<Answer, LinkError> {
+    pub(super) fn ask(&mut self, line: &str, waits: bool) -> Result<Answer, LinkError> {
         if waits { self.console.command_within(line, PATIENCE) } else { self.console.command(line) }
     }
 
     /// A line of our own that reports nothing.
-    fn quietly(&mut self, line: &str) -> Result<(), Cause> {
+    pub(super) fn quietly(&mut self, line: &str) -> Result<(), Cause> {
         self.ask(line, true)?.silence()?;
         Ok(())
     }
 
-    fn switch(&mut self, level: Level) -> Result<(), Cause> {
+    pub(super) fn switch(&mut self, level: Level) -> Result<(), Cause> {
         let found = self.ask(&switch(level), false)?.prompt;
         if found == level { Ok(()) } else { Err(Cause::Prompt { expected: level, found }) }
     }
@@ -307,84 +288,6 @@ impl Sender<'_> {
             UnitName::Boot => return Ok(false),
         };
         Ok(self.ask(&format!("?BIT{}", law.at(number.into())), false)?.number().is_ok_and(|value| value != 0.0))
-    }
-
-    /// Lists every program of the project and compares it; then memory and aliases, as far as their reports are understood.
-    fn verify(&mut self, plan: Option<&Plan>) -> Result<(), Cause> {
-        let numbered = numbers_lines(self.console)?;
-        if numbered {
-            self.quietly(&format!("CLR {}", numbers_flag()))?;
-        }
-        let names = Names::new(&self.script.image.aliases, &[]);
-        let script = self.script;
-        for unit in script.units() {
-            if self.watcher.interrupted() {
-                return Err(Cause::Interrupted);
-            }
-            self.watcher.event(Event::Verifying(unit.name));
-            match list_program(self.console, unit.name)? {
-                Listed::Text(listing) => {
-                    listing.compare(unit, &names).map_err(|difference| Cause::Different(unit.name, difference))?;
-                }
-                Listed::Protected(text) => return Err(Cause::Refused(text)),
-                Listed::Missing => return Err(Cause::Refused(format!("it has no {}", unit.name))),
-            }
-            self.state.set(unit.name, Fate::Verified);
-        }
-        self.switch(Level::System)?;
-        if numbered {
-            self.quietly(&format!("SET {}", numbers_flag()))?;
-        }
-        if plan.is_some_and(|plan| plan.whole) {
-            self.verify_memory()?;
-        }
-        self.verify_aliases()
-    }
-
-    fn verify_memory(&mut self) -> Result<(), Cause> {
-        let Some(found) = survey::dimensions(&self.ask("DIM", false)?.lines) else {
-            self.watcher.event(Event::Note("what DIM reports is not understood, so memory was not compared"));
-            return Ok(());
-        };
-        let mut expected = std::collections::BTreeMap::new();
-        for line in &self.script.lines {
-            if let super::script::Kind::Immediate(traits) = &line.kind {
-                match traits.special {
-                    Some(super::immediate::Special::Clear) => expected.clear(),
-                    Some(super::immediate::Special::Dim(Some((block, size)))) => _ = expected.insert(block, size),
-                    _ => {}
-                }
-            }
-        }
-        for (block, size) in expected {
-            if found.get(&block) != Some(&size) {
-                let found = found.get(&block).map_or("nothing".to_owned(), ToString::to_string);
-                return Err(Cause::Unequal { what: format!("DIM {block}"), expected: size.to_string(), found });
-            }
-        }
-        Ok(())
-    }
-
-    fn verify_aliases(&mut self) -> Result<(), Cause> {
-        let script = self.script;
-        if script.image.aliases.is_empty() {
-            return Ok(());
-        }
-        let lines = self.ask("DEF", false)?.lines;
-        let Some(found) = survey::definitions(&lines) else {
-            self.watcher.event(Event::Note("what DEF reports is not understood, so aliases were not compared"));
-            return Ok(());
-        };
-        for alias in &script.image.aliases {
-            let same_name = |other: &&acrc_image::Alias| other.name == alias.name;
-            let other = found.iter().find(same_name);
-            if other != Some(alias) {
-                let what = format!("the alias {}", alias.name);
-                let found = if other.is_some() { "another operand" } else { "nothing" };
-                return Err(Cause::Unequal { what, expected: "its operand".to_owned(), found: found.to_owned() });
-            }
-        }
-        Ok(())
     }
 
     /// Ends and erases a text that was being entered, so that its beginning cannot be run.

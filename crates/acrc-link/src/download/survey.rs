@@ -33,6 +33,8 @@ pub struct Survey {
     pub alias_lines: Vec<String>,
     /// What `ATTACH` reports at the prompt of each program that has attachments.
     pub attachments: BTreeMap<UnitName, Vec<String>>,
+    /// What `ATTACH` reports at the system prompt: what each axis uses.
+    pub hardware: Vec<String>,
     /// Programs that run or are paused.
     pub running: Vec<UnitName>,
     /// Masters and axes that move.
@@ -69,6 +71,7 @@ pub fn survey(console: &mut dyn Console, model: &Model) -> Result<Survey, LinkEr
     survey.memory = dimensions(&console.command("DIM")?.lines);
     survey.alias_lines = console.command("DEF")?.lines;
     survey.aliases = definitions(&survey.alias_lines);
+    survey.hardware = console.command("ATTACH")?.lines;
     survey.texts(console, model)?;
     Ok(survey)
 }

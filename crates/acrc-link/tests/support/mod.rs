@@ -2,7 +2,7 @@
 //! is virtual.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind};
 use std::rc::Rc;
@@ -13,7 +13,7 @@ use acrc_compile::{SourceUnit, compile};
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{ChannelId, Controller, FaultReport, Observer, Options, PromptState, Sent, View};
 use acrc_image::Image;
-use acrc_link::{Connection, Protocol, Settings, Transport};
+use acrc_link::{Connection, Console as _, Protocol, Settings, Transport};
 use acrc_syntax::units::Level;
 
 /// The streams of Ethernet clients.
@@ -50,7 +50,18 @@ impl Machine {
         let open = |name: &str| controller.open_channel(name.parse().expect("a stream")).ok();
         let channel = STREAMS.into_iter().find_map(open).expect("a stream is free");
         drop(controller);
-        Line { machine: self.clone(), channel: Some(channel), lives: usize::MAX, unread: VecDeque::new() }
+        Line {
+            machine: self.clone(),
+            channel: Some(channel),
+            lives: usize::MAX,
+            unread: VecDeque::new(),
+            carried: Rc::default(),
+        }
+    }
+
+    /// Types a line at a connection of its own.
+    pub(crate) fn connect_and_type(&self, line: &str) {
+        self.connect().command(line).expect("it is answered");
     }
 
     /// A connection that speaks text.
@@ -80,6 +91,8 @@ pub(crate) struct Line {
     lives: usize,
     /// What the controller has sent and was not read.
     unread: VecDeque<u8>,
+    /// The bytes that it has carried.
+    carried: Rc<Cell<usize>>,
 }
 
 impl Line {
@@ -98,6 +111,11 @@ impl Line {
     /// The same for one that may break at once.
     pub(crate) fn try_connect(self) -> Result<Connection<Self>, acrc_link::LinkError> {
         Connection::over(self, "the machine".to_owned(), Protocol::Text, Settings::default())
+    }
+
+    /// The bytes that it carries from here on.
+    pub(crate) fn counted(&self) -> Rc<Cell<usize>> {
+        self.carried.clone()
     }
 
     /// The channel that it leads to.
@@ -150,6 +168,7 @@ impl Transport for Line {
         let carried = bytes.get(..self.lives).unwrap_or(bytes);
         self.machine.look(|controller| controller.receive(channel, carried));
         self.lives -= carried.len();
+        self.carried.set(self.carried.get() + carried.len());
         if carried.len() < bytes.len() {
             self.break_off();
             return Err(ErrorKind::BrokenPipe.into());
