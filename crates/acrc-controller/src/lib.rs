@@ -44,7 +44,9 @@ pub use acrc_vm::AngleUnit;
 pub use axis::AxisStatistics;
 pub use controller::{Controller, Observer, Options, Sent, Standing, Stopped, Unsupported, View};
 pub use error::ControllerError;
-pub use host_interface::{Conversion, HostError, Override};
+pub use host_interface::{
+    Conversion, Coordinate, HostArc, HostError, HostMove, HostPath, MoveExtras, MoveMode, MoveStart, Override, Queued,
+};
 pub use master::MasterStatistics;
 pub use program::State;
 pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};

@@ -7,6 +7,7 @@ use acrc_vm::{Call, Outcome};
 use super::Context;
 use super::moves::Bent;
 use crate::error::ControllerError;
+use crate::machine::Machine;
 use crate::master::OpenArc;
 
 /// `CIRCW X(end, centre) Y(end, centre)`: each pair of axes makes an arc, the first one of a pair is its primary axis.
@@ -75,10 +76,10 @@ fn end_pair(context: &mut Context, call: &Call, master: usize) -> Result<(), Con
     Ok(())
 }
 
-impl Context<'_> {
+impl Machine {
     /// Makes a move what it is between `TARC ON` and `TARC OFF`. False for the first one of a pair, which is none.
-    pub(super) fn pair(&mut self, master: usize, next: &mut Move) -> Result<bool, ControllerError> {
-        let master = &mut self.machine.masters[master];
+    pub(crate) fn pair(&mut self, master: usize, next: &mut Move) -> Result<bool, ControllerError> {
+        let master = &mut self.masters[master];
         let Some(arc) = &mut master.ahead.arc else { return Ok(true) };
         let targets = arc.slots.map(|slot| next.targets[slot].take());
         if targets.iter().all(Option::is_none) {

@@ -6,6 +6,7 @@ use acrc_vm::{Call, Outcome};
 
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
+use crate::machine::Machine;
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::MBUF, Action::Run(report)),
@@ -34,8 +35,15 @@ fn switch(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
 impl Context<'_> {
     /// Whether the master of the program takes another move now.
     pub(super) fn takes_move(&mut self, master: usize) -> bool {
-        let master = &mut self.machine.masters[master];
-        let depth = if master.buffered { self.moves.max(UNBUFFERED) } else { UNBUFFERED };
+        self.machine.takes_move(master, self.moves)
+    }
+}
+
+impl Machine {
+    /// Whether a master takes another move now, with a move buffer of its program that holds so many.
+    pub(crate) fn takes_move(&mut self, master: usize, buffered: u32) -> bool {
+        let master = &mut self.masters[master];
+        let depth = if master.buffered { buffered.max(UNBUFFERED) } else { UNBUFFERED };
         if depth > master.places {
             master.profiler.set_queue_capacity(depth as usize);
             master.places = depth;

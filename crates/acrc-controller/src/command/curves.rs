@@ -12,7 +12,8 @@ use super::arguments::{real, scalar};
 use super::moves::refused;
 use super::{Action, Context, Entry};
 use crate::error::ControllerError;
-use crate::master::SLOTS;
+use crate::machine::Machine;
+use crate::master::{Master, SLOTS};
 
 pub(super) const COMMANDS: &[Entry] = &[
     (command::SPLINE_MODE, Action::Run(begin)),
@@ -27,7 +28,7 @@ pub(super) const COMMANDS: &[Entry] = &[
 pub(crate) const CUBIC: usize = 4;
 
 /// The knot that ends a curve.
-const LAST_KNOT: f64 = -1.0;
+pub(crate) const LAST_KNOT: f64 = -1.0;
 
 /// A curve whose points a program is giving.
 #[derive(Debug)]
@@ -41,13 +42,33 @@ pub(crate) struct Curve {
     point: [f64; SLOTS],
 }
 
+impl Curve {
+    /// Whether it is a NURBS curve.
+    pub(crate) fn is_nurbs(&self) -> bool {
+        self.nurbs
+    }
+
+    /// The point before in a slot, u.
+    pub(crate) fn point(&self, slot: usize) -> f64 {
+        self.point.get(slot).copied().unwrap_or(0.0)
+    }
+}
+
+impl Master {
+    /// Begins a curve where the moves given so far end.
+    pub(crate) fn begin_curve(&mut self, nurbs: bool) {
+        let point = std::array::from_fn(|slot| self.profiler.programmed_target(slot));
+        self.ahead.curve = Some(Box::new(Curve { nurbs, builder: None, piece: None, point }));
+    }
+}
+
 /// A line of a curve.
 #[derive(Default)]
-struct Line {
-    knot: Option<f64>,
-    point: ControlPoint,
+pub(crate) struct Line {
+    pub(crate) knot: Option<f64>,
+    pub(crate) point: ControlPoint,
     /// It gives any axis a value.
-    has_point: bool,
+    pub(crate) has_point: bool,
 }
 
 /// `SPLINE MODE`, `NURB MODE`: what follows are points. The mode says what the lines hold, which they show themselves.
@@ -58,9 +79,7 @@ fn begin(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError>
     if master.ahead.curve.is_some() {
         return Err(open(call.command));
     }
-    let point = std::array::from_fn(|slot| master.profiler.programmed_target(slot));
-    let nurbs = call.command == command::NURB_MODE;
-    master.ahead.curve = Some(Box::new(Curve { nurbs, builder: None, piece: None, point }));
+    master.begin_curve(call.command == command::NURB_MODE);
     Ok(Outcome::Done)
 }
 
@@ -123,18 +142,18 @@ impl Context<'_> {
             let problem = "no curve is open: SPLINE MODE or NURB MODE comes first".to_owned();
             return Err(ControllerError::BadValue { command: call.command.info().name, problem });
         }
-        if !self.deliver_piece(call, master)? {
+        if !self.machine.deliver_piece(call.command, master)? {
             return Ok(Outcome::Again);
         }
         let line = self.read_line(call, master, knot, point)?;
-        let begins_elsewhere = self.add_line(master, &line)?;
-        if begins_elsewhere {
-            let note = "a curve does not begin where the axes are, so they jump to its first point";
-            self.machine.notes.insert(format!("master {master}: {note}"));
-        }
-        // Where it finds no room, the next line waits.
-        self.deliver_piece(call, master)?;
+        self.machine.add_line(call.command, master, &line)?;
         Ok(Outcome::Done)
+    }
+
+    /// Queues what is left of a curve, piece by piece.
+    fn end_curve(&mut self, call: &Call, master: usize) -> Result<Outcome, ControllerError> {
+        let ended = self.machine.end_curve(call.command, master)?;
+        Ok(if ended { Outcome::Done } else { Outcome::Again })
     }
 
     fn read_line(
@@ -155,7 +174,7 @@ impl Context<'_> {
                 continue;
             }
             let (slot, target) = self.straight_target(call.command, program, argument)?;
-            let before = self.machine.masters[master].ahead.curve.as_ref().map_or(0.0, |curve| curve.point[slot]);
+            let before = self.machine.masters[master].ahead.curve.as_ref().map_or(0.0, |curve| curve.point(slot));
             line.point.position[slot] = Some(match target {
                 Target::Relative(distance) => before + distance,
                 Target::Absolute(position) => position,
@@ -165,10 +184,22 @@ impl Context<'_> {
         }
         Ok(line)
     }
+}
+
+impl Machine {
+    /// Gives a line to the curve, and queues the piece that it completes. Where that finds no room, the next line waits.
+    pub(crate) fn add_line(&mut self, kind: CommandId, master: usize, line: &Line) -> Result<(), ControllerError> {
+        if self.extend_curve(master, line)? {
+            let note = "a curve does not begin where the axes are, so they jump to its first point";
+            self.notes.insert(format!("master {master}: {note}"));
+        }
+        self.deliver_piece(kind, master)?;
+        Ok(())
+    }
 
     /// Gives a line to the curve. True when the curve begins where the axes are not.
-    fn add_line(&mut self, master: usize, line: &Line) -> Result<bool, ControllerError> {
-        let state = &mut self.machine.masters[master];
+    fn extend_curve(&mut self, master: usize, line: &Line) -> Result<bool, ControllerError> {
+        let state = &mut self.masters[master];
         let rank = state.rank;
         let Some(curve) = &mut state.ahead.curve else { return Ok(false) };
         let before = curve.point;
@@ -196,34 +227,34 @@ impl Context<'_> {
         Ok(begins && elsewhere && !implied)
     }
 
-    /// Queues what is left of a curve, piece by piece.
-    fn end_curve(&mut self, call: &Call, master: usize) -> Result<Outcome, ControllerError> {
+    /// Queues what is left of a curve, piece by piece. False when there is no room for one.
+    pub(crate) fn end_curve(&mut self, kind: CommandId, master: usize) -> Result<bool, ControllerError> {
         loop {
-            if !self.deliver_piece(call, master)? {
-                return Ok(Outcome::Again);
+            if !self.deliver_piece(kind, master)? {
+                return Ok(false);
             }
-            let Some(curve) = &mut self.machine.masters[master].ahead.curve else { return Ok(Outcome::Done) };
+            let Some(curve) = &mut self.masters[master].ahead.curve else { return Ok(true) };
             match curve.builder.as_mut().and_then(|builder| builder.finish()) {
                 Some(piece) => curve.piece = Some(Box::new(piece)),
                 None => {
-                    self.machine.masters[master].ahead.curve = None;
-                    return Ok(Outcome::Done);
+                    self.masters[master].ahead.curve = None;
+                    return Ok(true);
                 }
             }
         }
     }
 
     /// Queues the piece that waits, if one does. False when there is no room for it.
-    fn deliver_piece(&mut self, call: &Call, master: usize) -> Result<bool, ControllerError> {
-        let Some(curve) = &mut self.machine.masters[master].ahead.curve else { return Ok(true) };
+    pub(crate) fn deliver_piece(&mut self, kind: CommandId, master: usize) -> Result<bool, ControllerError> {
+        let Some(curve) = &mut self.masters[master].ahead.curve else { return Ok(true) };
         let Some(piece) = curve.piece.take() else { return Ok(true) };
-        self.machine.prepare_master(master)?;
-        let state = &mut self.machine.masters[master];
+        self.prepare_master(master)?;
+        let state = &mut self.masters[master];
         let next = state.gated(&Move::new(state.move_settings()));
         match state.profiler.push_span(&next, &piece) {
             Ok(()) => {
                 state.ahead.gate = None;
-                self.machine.begin_moves(master);
+                self.begin_moves(master);
                 Ok(true)
             }
             Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => {
@@ -232,7 +263,7 @@ impl Context<'_> {
                 }
                 Ok(false)
             }
-            Err(error) => Err(refused(call.command, error)),
+            Err(error) => Err(refused(kind, error)),
         }
     }
 }

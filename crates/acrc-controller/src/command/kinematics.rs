@@ -38,6 +38,11 @@ pub(crate) struct Kinematics {
 }
 
 impl Kinematics {
+    /// Whether the targets of moves go through a program.
+    pub(crate) fn is_on(&self) -> bool {
+        self.on
+    }
+
     /// Drops the move whose targets are computed.
     pub(crate) fn forget(&mut self) {
         self.computes = false;

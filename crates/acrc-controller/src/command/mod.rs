@@ -48,9 +48,10 @@ use crate::request::{Origin, Query, Request};
 use crate::terminal::ChannelId;
 
 pub(crate) use buffer::UNBUFFERED;
-pub(crate) use curves::{CUBIC, Curve};
+pub(crate) use curves::{CUBIC, Curve, LAST_KNOT, Line as CurveLine};
 pub(crate) use io::deliver;
 pub(crate) use kinematics::Kinematics;
+pub(crate) use moves::moving_velocity;
 pub(crate) use timebase::TimeBase;
 
 /// What a command handler works on.

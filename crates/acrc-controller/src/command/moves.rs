@@ -43,10 +43,40 @@ fn coordinated(context: &mut Context, call: &Call) -> Result<Outcome, Controller
     if !context.transform(call, master, &mut next)? {
         return Ok(Outcome::Again);
     }
-    if context.pair(master, &mut next)? { context.queue(call, master, &next) } else { Ok(Outcome::Done) }
+    if context.machine.pair(master, &mut next)? { context.queue(call, master, &next) } else { Ok(Outcome::Done) }
 }
 
 impl Machine {
+    /// Refuses moves of a master whose moves, or the motion of whose axes, are killed.
+    pub(crate) fn admits_moves(&self, master: usize) -> Result<(), ControllerError> {
+        let kamr = |axis| self.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
+        if self.masters[master].attached().any(|(_, axis)| kamr(axis)) {
+            return Err(ControllerError::Said(message::SLAVE_KILLED));
+        }
+        let killed = law::KILL_ALL_MOVES.at(master as u32);
+        if self.flags.get(killed) {
+            return Err(ControllerError::Killed { master: master as u8, bit: killed });
+        }
+        Ok(())
+    }
+
+    /// Queues a move of a kind. False when there is no room for it yet.
+    pub(crate) fn queue_move(&mut self, kind: CommandId, master: usize, next: &Move) -> Result<bool, ControllerError> {
+        if self.masters[master].ahead.curve.is_some() {
+            return Err(curves::open(kind));
+        }
+        self.prepare_master(master)?;
+        let state = &mut self.masters[master];
+        let next = state.gated(next);
+        match state.profiler.push(&next) {
+            Ok(()) => state.ahead.gate = None,
+            Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(false),
+            Err(error) => return Err(refused(kind, error)),
+        }
+        self.begin_moves(master);
+        Ok(true)
+    }
+
     /// Makes a master ready for a move.
     pub(super) fn prepare_master(&mut self, master: usize) -> Result<(), ControllerError> {
         if !self.moves(master) {
@@ -60,26 +90,10 @@ impl Context<'_> {
     /// The master of the program, if its axes may move.
     pub(super) fn movable(&self, call: &Call) -> Result<usize, ControllerError> {
         let master = usize::from(self.machine.master_of(self.program(call)?)?);
-        let kamr = |axis| self.machine.flags.get(law::KILL_ALL_MOTION_REQUEST.at(u32::from(axis)));
-        if self.machine.masters[master].attached().any(|(_, axis)| kamr(axis)) {
-            return Err(ControllerError::Said(message::SLAVE_KILLED));
-        }
-        let killed = law::KILL_ALL_MOVES.at(master as u32);
-        if self.machine.flags.get(killed) {
-            return Err(ControllerError::Killed { master: master as u8, bit: killed });
-        }
-        self.moving_settings(call, master)?;
+        self.machine.admits_moves(master)?;
+        moving_velocity(call.command, master, self.machine.masters[master].settings.velocity)?;
         self.transformable(call, master)?;
         Ok(master)
-    }
-
-    /// A move without velocity would never end.
-    fn moving_settings(&self, call: &Call, master: usize) -> Result<(), ControllerError> {
-        if self.machine.masters[master].settings.velocity > 0.0 {
-            return Ok(());
-        }
-        let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
-        Err(ControllerError::BadValue { command: call.command.info().name, problem })
     }
 
     /// The move of a statement, with the settings of now.
@@ -151,20 +165,18 @@ impl Context<'_> {
 
     /// Queues a move, or asks to be offered it again where there is no room yet.
     pub(super) fn queue(&mut self, call: &Call, master: usize, next: &Move) -> Result<Outcome, ControllerError> {
-        if self.machine.masters[master].ahead.curve.is_some() {
-            return Err(curves::open(call.command));
-        }
-        self.machine.prepare_master(master)?;
-        let state = &mut self.machine.masters[master];
-        let next = state.gated(next);
-        match state.profiler.push(&next) {
-            Ok(()) => state.ahead.gate = None,
-            Err(PushError::Full | PushError::Stopping | PushError::OpenEnd) => return Ok(Outcome::Again),
-            Err(error) => return Err(refused(call.command, error)),
-        }
-        self.machine.begin_moves(master);
-        Ok(Outcome::Done)
+        let queued = self.machine.queue_move(call.command, master, next)?;
+        Ok(if queued { Outcome::Done } else { Outcome::Again })
     }
+}
+
+/// Refuses a move without velocity, which would never end.
+pub(crate) fn moving_velocity(kind: CommandId, master: usize, velocity: f64) -> Result<(), ControllerError> {
+    if velocity > 0.0 {
+        return Ok(());
+    }
+    let problem = format!("the velocity of master {master} is 0, so the move would never end; VEL sets it");
+    Err(ControllerError::BadValue { command: kind.info().name, problem })
 }
 
 /// Adds what the axes with several values make of a part.

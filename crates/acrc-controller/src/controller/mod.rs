@@ -57,6 +57,9 @@ pub struct Options {
     pub plc_scan: Option<f64>,
     /// When backlash compensation is added.
     pub backlash: BacklashRule,
+    /// The number of the flag Enable Rapid Move Modes of master 0, which no document gives; that of the next master is 32 further.
+    /// `None` leaves rapid move modes disabled.
+    pub rapid_move_modes: Option<u32>,
 }
 
 /// A controller with an image.
@@ -86,6 +89,8 @@ pub struct Controller {
     first_plcs: Vec<u8>,
     /// Seconds from one scan of the PLC programs to the next.
     plc_scan: f64,
+    /// The flag Enable Rapid Move Modes of master 0.
+    pub(crate) rapid_move_modes: Option<u32>,
 }
 
 /// Execution of the setup code.
@@ -141,6 +146,7 @@ impl Controller {
             first_plcs: options.plcs,
             plc_scan: options.plc_scan.unwrap_or(SLICE_SECONDS),
             reported_events: 0,
+            rapid_move_modes: options.rapid_move_modes,
         })
     }
 

@@ -18,7 +18,8 @@ use crate::flags::FIRST_WORD;
 
 const PARAMETERS: u32 = 0x0100_0000;
 const USERS: u32 = 0x0200_0000;
-const VARIABLES: Area = Area { first: 0x2000_0000, window: 23, kinds: [DV, SV, LV, SD] };
+const VARIABLES_START: u32 = 0x2000_0000;
+const VARIABLES: Area = Area { first: VARIABLES_START, window: 23, kinds: [DV, SV, LV, SD] };
 const ARRAYS: Area = Area { first: 0x4000_0000, window: 24, kinds: [DA, SA, LA, TA] };
 
 const DV: OperandClass = OperandClass::Dv;
@@ -102,8 +103,8 @@ impl Place {
             return Some(Self::Variables(Block { program, class, word }));
         }
         match address {
-            USERS.. => Some(Self::User(address - USERS)),
-            PARAMETERS.. => Some(address - PARAMETERS)
+            USERS..VARIABLES_START => Some(Self::User(address - USERS)),
+            PARAMETERS..USERS => Some(address - PARAMETERS)
                 .filter(|number| (FIRST_WORD..PARAMETER_NUMBERS).contains(number))
                 .map(Self::Parameter),
             _ => None,

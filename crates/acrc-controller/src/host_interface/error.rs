@@ -42,4 +42,18 @@ pub enum HostError {
         /// The longest one.
         most: u32,
     },
+    /// A move of a slave that a master does not have.
+    #[error("SLAVE{slave} of MASTER{master} has no axis")]
+    NoSlave {
+        /// The master.
+        master: u8,
+        /// The slave.
+        slave: usize,
+    },
+    /// A move whose targets would have to be transformed.
+    #[error("INVK is on for MASTER{0}, which transforms the targets of statements only")]
+    Kinematics(u8),
+    /// An arc whose radius is scaled.
+    #[error("scaling of the radius of an arc is not simulated")]
+    RadiusScaling,
 }

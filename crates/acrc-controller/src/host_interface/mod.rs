@@ -10,6 +10,7 @@ mod address;
 mod cell;
 mod error;
 mod memory;
+mod moves;
 mod number;
 mod overrides;
 mod parameters;
@@ -18,6 +19,7 @@ mod strings;
 
 pub use cell::Conversion;
 pub use error::HostError;
+pub use moves::{Coordinate, HostArc, HostMove, HostPath, MoveExtras, MoveMode, MoveStart, Queued};
 pub use overrides::Override;
 
 use crate::controller::{Controller, Observer};

@@ -2,5 +2,6 @@
 
 mod flags;
 mod memory;
+mod moves;
 mod parameters;
 mod support;
