@@ -51,4 +51,4 @@ pub use master::MasterStatistics;
 pub use program::State;
 pub use report::{AxisReport, FaultReport, MasterReport, ProgramReport};
 pub use streams::{DeviceError, Port};
-pub use terminal::{ChannelId, PromptState, StreamError, StreamName};
+pub use terminal::{ChannelId, PromptState, StreamError, StreamName, Traffic};

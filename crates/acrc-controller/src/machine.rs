@@ -56,6 +56,8 @@ pub(crate) struct Machine {
     pub(crate) renumbered: Vec<i32>,
     /// Tick at which the clock parameter was last set, and to what.
     pub(crate) clock_base: (u64, i32),
+    /// How often it has restarted since power-up.
+    pub(crate) restarts: u32,
     /// The prompt level of the immediate statement that is being executed: of the setup code, or of the channel that typed it.
     pub(crate) level: Level,
     pub(crate) terminal: Terminal,
@@ -97,6 +99,7 @@ impl Machine {
             encoder_offsets: vec![0; usize::from(model.axes)],
             renumbered: vec![0; usize::from(model.axes)],
             clock_base: (0, 0),
+            restarts: 0,
             level: Level::System,
             terminal: Terminal::default(),
             motion: AxisMotion::new(),

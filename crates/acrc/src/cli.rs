@@ -5,6 +5,7 @@ mod link;
 mod lint;
 mod motion;
 mod repl;
+mod serve;
 
 use std::path::PathBuf;
 
@@ -17,6 +18,7 @@ pub(crate) use link::{GetArguments, NameArguments, ResetKamrArguments, SetArgume
 pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
 pub(crate) use motion::{MoveArguments, WatchArguments};
 pub(crate) use repl::{ReplArguments, Speed};
+pub(crate) use serve::ServeArguments;
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
 #[derive(Debug, Parser)]
@@ -63,6 +65,8 @@ pub(crate) enum Command {
     Sim(SimArguments),
     /// Talk to a virtual controller as at its terminal
     Repl(ReplArguments),
+    /// Be a virtual controller on the network, for any client of an ACR controller
+    Serve(ServeArguments),
     /// Show or forget what the controller of `acrc sim --state` keeps without power
     State(StateArguments),
     /// Read parameters and flags of a controller

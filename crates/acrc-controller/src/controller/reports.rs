@@ -14,6 +14,11 @@ impl Controller {
         self.machine.clock.seconds()
     }
 
+    /// How often the controller has restarted (`REBOOT`, or power that went off and on).
+    pub fn restarts(&self) -> u32 {
+        self.machine.restarts
+    }
+
     /// Whether any run-time error has happened.
     pub fn faulted(&self) -> bool {
         self.faulted

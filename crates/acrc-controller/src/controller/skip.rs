@@ -11,6 +11,12 @@ use crate::terminal::Demand;
 const WATCHED_TICKS: u64 = 10_000;
 
 impl Controller {
+    /// The tick before which nothing happens unless somebody types or changes something, for a driver that has better to do than
+    /// to let idle time pass. `None` when the next tick may change something, `u64::MAX` when nothing is to come.
+    pub fn rests_until(&self) -> Option<u64> {
+        if self.powered { self.quiet_until(u64::MAX) } else { None }
+    }
+
     /// The tick before which nothing can change: no motion, and every program waits for a time or for something that does not happen, or goes round in
     /// a circle.
     pub(super) fn quiet_until(&self, end: u64) -> Option<u64> {

@@ -15,8 +15,10 @@ use super::{Controller, Observer};
 use crate::machine::Machine;
 use crate::orders::Order;
 use crate::program::State;
+use crate::streams::Port;
 use crate::terminal::{
-    Channel, ChannelId, Demand, Entry, Key, Piece, PromptState, Reader, StreamError, StreamName, Typed, known_words,
+    Channel, ChannelId, Demand, Entry, Key, Piece, PromptState, Reader, StreamError, StreamName, Traffic, Typed,
+    known_words,
 };
 
 /// Statements that a channel executes in one slice.
@@ -57,6 +59,14 @@ impl Controller {
     /// What a channel is doing; one that is closed is ready and has no prompt.
     pub fn prompt_state(&self, channel: ChannelId) -> PromptState {
         self.machine.terminal.get(channel).map_or_else(|| PromptState::Ready(String::new()), Channel::state)
+    }
+
+    /// What passes through a channel, for a driver that has to hold back whoever types there or what is sent. All zero for one that is
+    /// closed.
+    pub fn traffic(&self, channel: ChannelId) -> Traffic {
+        let Some(channel) = self.machine.terminal.get(channel) else { return Traffic::default() };
+        let for_programs = self.machine.streams.unread(Port::Stream(channel.stream));
+        Traffic { unread: channel.unread() + for_programs, unsent: channel.unsent(), answering: channel.is_answering() }
     }
 
     /// The level of a channel; the system level for one that is closed.

@@ -15,6 +15,7 @@ impl Machine {
         let before = std::mem::replace(self, fresh);
         self.clock = before.clock;
         self.clock_base = (self.clock.ticks(), 0);
+        self.restarts = before.restarts + 1;
         self.nonvolatile = before.nonvolatile;
         self.network = before.network;
         self.terminal = before.terminal;

@@ -36,6 +36,11 @@ impl Input {
         self.arrived.len()
     }
 
+    /// How many characters have arrived and wait.
+    pub(super) fn unread(&self) -> usize {
+        self.arrived.len()
+    }
+
     /// Lines to be typed when the programs are ready for them.
     pub(super) fn offer(&mut self, bytes: &[u8]) {
         self.offered.extend(bytes);

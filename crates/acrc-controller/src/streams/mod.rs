@@ -107,6 +107,11 @@ impl Streams {
         self.input(port).arrive(bytes)
     }
 
+    /// How many characters wait at a port.
+    pub(crate) fn unread(&self, port: Port) -> usize {
+        self.inputs.get(&port).map_or(0, Input::unread)
+    }
+
     /// Lines that will be typed at a port, each as soon as a program asks for it.
     pub(crate) fn offer(&mut self, port: Port, bytes: &[u8]) {
         self.input(port).offer(bytes);

@@ -118,6 +118,21 @@ impl Channel {
         !self.input.is_empty()
     }
 
+    /// How many bytes have arrived that are not read yet.
+    pub(crate) fn unread(&self) -> usize {
+        self.input.len()
+    }
+
+    /// How many bytes it has to send.
+    pub(crate) fn unsent(&self) -> usize {
+        self.output.len()
+    }
+
+    /// Whether a line is being answered, or is to be read.
+    pub(crate) fn is_answering(&self) -> bool {
+        self.typed.is_some() || self.escape_waits() || self.listening.is_none() && self.has_input()
+    }
+
     /// Reads up to the end of a line and gives the line: `Err` with the controller's text for one that is too long.
     pub(crate) fn next_line(&mut self) -> Option<Result<String, &'static str>> {
         while let Some(byte) = self.input.pop_front() {
@@ -241,7 +256,7 @@ impl Channel {
 
     /// What it is doing, as its driver sees it.
     pub(crate) fn state(&self) -> PromptState {
-        if self.typed.is_some() || self.escape_waits() || self.listening.is_none() && self.has_input() {
+        if self.is_answering() {
             PromptState::Busy
         } else if self.is_away() {
             PromptState::Listening

@@ -37,6 +37,17 @@ pub enum PromptState {
     Listening,
 }
 
+/// What passes through a channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traffic {
+    /// Bytes that have arrived and that neither the terminal nor a program has read.
+    pub unread: usize,
+    /// Bytes that wait to be taken.
+    pub unsent: usize,
+    /// A line is being answered: more is to come.
+    pub answering: bool,
+}
+
 /// When a channel needs its next slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Demand {

@@ -63,7 +63,7 @@ pub(crate) enum Speed {
     Max,
 }
 
-fn parse_speed(text: &str) -> Result<Speed, String> {
+pub(super) fn parse_speed(text: &str) -> Result<Speed, String> {
     if text.eq_ignore_ascii_case("max") {
         return Ok(Speed::Max);
     }
@@ -71,7 +71,7 @@ fn parse_speed(text: &str) -> Result<Speed, String> {
     factor.map(Speed::Factor).ok_or_else(|| "write a factor from 0.001 to 1000, or max".to_owned())
 }
 
-fn parse_model(text: &str) -> Result<&'static acrc_catalog::Model, String> {
+pub(super) fn parse_model(text: &str) -> Result<&'static acrc_catalog::Model, String> {
     acrc_catalog::model(text).ok_or_else(|| {
         let names: Vec<&str> = acrc_catalog::models().iter().map(|model| model.name).collect();
         format!("the models are {}", names.join(", "))

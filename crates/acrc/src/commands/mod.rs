@@ -14,6 +14,7 @@ pub(crate) mod nonvolatile;
 mod project;
 mod repl;
 mod reset_kamr;
+mod serve;
 mod set;
 mod sim;
 mod source_file;
@@ -21,6 +22,7 @@ mod state;
 mod stdin;
 mod targets;
 mod watch;
+mod virtual_controller;
 
 use crate::cli::{Arguments, Command};
 use crate::exit::Exit;
@@ -35,6 +37,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Mem(mem) => mem::run(mem, arguments.color),
         Command::Sim(sim) => sim::run(sim, arguments.color),
         Command::Repl(repl) => repl::run(repl, arguments.color),
+        Command::Serve(serve) => serve::run(serve, arguments.color),
         Command::State(state) => state::run(state),
         Command::Get(get) => get::run(get, arguments.color),
         Command::Set(set) => set::run(set, arguments.color),

@@ -15,6 +15,7 @@ use reedline::{
 use super::complete::{Vocabulary, WordCompleter};
 use super::session::Session;
 use super::watch::{Watched, watch};
+use crate::commands::virtual_controller::describe_programs;
 use crate::output::Terminal;
 
 /// Lines of the history.
@@ -67,10 +68,7 @@ pub(super) fn run(session: &mut Session, name: &str, terminal: Terminal) -> anyh
 }
 
 fn greet(session: &Session, name: &str, terminal: Terminal) -> io::Result<()> {
-    let stored = session.controller.programs();
-    let programs: Vec<String> =
-        stored.iter().map(|program| format!("{} {}", program.unit, program.state.name())).collect();
-    let programs = if programs.is_empty() { "no program is stored".to_owned() } else { programs.join(", ") };
+    let programs = describe_programs(&session.controller);
     let mut out = io::stdout().lock();
     writeln!(
         out,

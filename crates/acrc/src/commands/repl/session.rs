@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use acrc_controller::nonvolatile::Saved;
 use acrc_controller::world::WorldEvent;
 use acrc_controller::{ChannelId, Controller, FaultReport, Observer, PromptState, Sent, StreamName, View};
-use acrc_image::UnitName;
 use acrc_syntax::units::Level;
 
 use crate::cli::Speed;
 use crate::commands::nonvolatile::State;
+use crate::commands::virtual_controller::unseen;
 use crate::output::Terminal;
 
 /// Wall time that is spent at once on a controller that is to run as fast as it can.
@@ -141,18 +141,8 @@ struct Notes {
 
 impl Observer for Notes {
     fn output(&mut self, sent: &Sent) {
-        let source = match (sent.unit, sent.stream) {
-            (_, Some(stream)) if stream == self.stream => return,
-            // What a program prints on device 0 is for those who listen to it.
-            (UnitName::Program(_), None) => return,
-            (UnitName::Boot, None) => "setup".to_owned(),
-            // Setup code, or somebody at a terminal.
-            (UnitName::Boot, Some(stream)) => stream.to_string(),
-            (unit, None) => unit.to_string(),
-            (unit, Some(stream)) => format!("{unit} {stream}"),
-        };
-        let text = sent.text.trim_end_matches(['\r', '\n']).escape_debug();
-        self.list.push(format!("{source}: {text}"));
+        let own = self.stream;
+        self.list.extend(unseen(sent, |stream| stream == own));
     }
 
     fn fault(&mut self, fault: &FaultReport) {
