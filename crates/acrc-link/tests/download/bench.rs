@@ -57,7 +57,8 @@ pub(crate) fn files(files: &[(&str, &str)]) -> LoadedProject {
 
 /// A project of the repository.
 pub(crate) fn load(path: &Path) -> LoadedProject {
-    project::load(Utf8Path::from_path(path).expect("UTF-8")).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    project::load(Utf8Path::from_path(path).expect("UTF-8"))
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// The lines of a project.

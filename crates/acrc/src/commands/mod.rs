@@ -21,8 +21,8 @@ mod source_file;
 mod state;
 mod stdin;
 mod targets;
-mod watch;
 mod virtual_controller;
+mod watch;
 
 use crate::cli::{Arguments, Command};
 use crate::exit::Exit;

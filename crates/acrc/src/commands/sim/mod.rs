@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &SimArguments, color: ColorChoice) -> anyhow::Resul
         None => of_state(arguments, state.as_ref())?,
     };
     let Setup { image, world, angles, plc_scan, backlash, mut start, plcs, until, title, mut notes } = setup;
-    let options = Options { world, seed: arguments.seed, angles, plcs, plc_scan, backlash };
+    let options = Options { world, seed: arguments.seed, angles, plcs, plc_scan, backlash, ..Options::default() };
     let kept = state.as_ref().and_then(|state| state.saved.as_ref());
     let mut controller = Controller::with_memory(Arc::clone(&image), options, !arguments.no_battery, kept)
         .with_context(|| State::cannot_power_up(state.as_ref()))?;
