@@ -84,6 +84,11 @@ pub(super) fn play(parts: &[Part<'_>], model: &Model) -> ProjectMemory {
 }
 
 impl ProjectMemory {
+    /// Bytes that a program has as the setup leaves them; `None` when it has none, or a computed number.
+    pub fn space_of(&self, level: Level) -> Option<u64> {
+        self.system.get(&space_of(level)?)?.bytes
+    }
+
     /// Compares the aliases of the project with what `DIM DEF` makes room for.
     pub(super) fn count_aliases(&mut self, symbols: &Symbols) {
         let aliases = symbols.aliases.len() as u64;

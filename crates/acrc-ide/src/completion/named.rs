@@ -70,7 +70,10 @@ pub(super) fn programs(db: &dyn Db, context: &Context<'_>) -> Vec<Completion> {
     let names = levels.iter().filter(|level| **level != Level::System).map(ToString::to_string);
     names
         .filter(|name| begins(name, context.part))
-        .map(|name| item(context, &name, CompletionKind::Object, 0))
+        .map(|name| Completion {
+            detail: "program of the project".to_owned(),
+            ..item(context, &name, CompletionKind::Object, 0)
+        })
         .collect()
 }
 

@@ -2,6 +2,7 @@
 
 mod completion;
 mod fixture;
+mod hints;
 mod hover;
 mod occurrences;
 mod semantic_tokens;
