@@ -35,13 +35,14 @@ pub struct Endpoint {
 }
 
 impl Endpoint {
-    /// The port to connect to, and what is spoken there. A port that is not said is that of the protocol; without a protocol
-    /// port 5006 speaks [`Protocol::Mixed`], and every other one what is `usual`.
+    /// The port to connect to, and what is spoken there. Where no protocol is said, port 5006 speaks [`Protocol::Mixed`],
+    /// every other one [`Protocol::Text`], and without a port it is the `usual` one. A port that is not said is that of the
+    /// protocol.
     pub fn resolve(&self, protocol: Option<Protocol>, usual: Protocol) -> (u16, Protocol) {
         let protocol = protocol.unwrap_or(match self.port {
-            Some(ASCII_PORT) => Protocol::Text,
             Some(MIXED_PORT) => Protocol::Mixed,
-            _ => usual,
+            Some(_) => Protocol::Text,
+            None => usual,
         });
         (self.port.unwrap_or(protocol.port()), protocol)
     }
@@ -142,5 +143,8 @@ mod tests {
         assert_eq!(resolve("host", Some(Protocol::Mixed)), (5006, Protocol::Mixed));
         assert_eq!(resolve("host:40001", None), (40001, Protocol::Text));
         assert_eq!(resolve("host:5006", Some(Protocol::Text)), (5006, Protocol::Text));
+        let usual = |text: &str| text.parse::<Endpoint>().unwrap().resolve(None, Protocol::Mixed);
+        assert_eq!(usual("host"), (5006, Protocol::Mixed));
+        assert_eq!(usual("host:40001"), (40001, Protocol::Text));
     }
 }

@@ -6,6 +6,7 @@ mod lint;
 mod motion;
 mod repl;
 mod serve;
+mod term;
 
 use std::path::PathBuf;
 
@@ -19,6 +20,7 @@ pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, Select
 pub(crate) use motion::{MoveArguments, WatchArguments};
 pub(crate) use repl::{ReplArguments, Speed};
 pub(crate) use serve::ServeArguments;
+pub(crate) use term::TermArguments;
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
 #[derive(Debug, Parser)]
@@ -69,6 +71,8 @@ pub(crate) enum Command {
     Serve(ServeArguments),
     /// Show or forget what the controller of `acrc sim --state` keeps without power
     State(StateArguments),
+    /// Talk to a controller as at its terminal
+    Term(TermArguments),
     /// Read parameters and flags of a controller
     Get(GetArguments),
     /// Write parameters and flags of a controller, and read them back

@@ -21,6 +21,7 @@ mod source_file;
 mod state;
 mod stdin;
 mod targets;
+mod term;
 mod virtual_controller;
 mod watch;
 
@@ -39,6 +40,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Repl(repl) => repl::run(repl, arguments.color),
         Command::Serve(serve) => serve::run(serve, arguments.color),
         Command::State(state) => state::run(state),
+        Command::Term(term) => term::run(term, arguments.color),
         Command::Get(get) => get::run(get, arguments.color),
         Command::Set(set) => set::run(set, arguments.color),
         Command::Move(order) => mov::run(order, arguments.color),

@@ -10,7 +10,7 @@ use super::session::Session;
 
 /// What can be typed at the present prompt.
 #[derive(Debug, Default)]
-pub(super) struct Vocabulary {
+pub(in crate::commands) struct Vocabulary {
     level: Option<Level>,
     names: Vec<String>,
 }
@@ -19,7 +19,12 @@ impl Vocabulary {
     /// Of the prompt of a session.
     pub(super) fn of(session: &Session) -> Self {
         let level = session.level();
-        Self { level: Some(level), names: session.controller.names_at(level) }
+        Self::at(level, session.controller.names_at(level))
+    }
+
+    /// Of a prompt, with names beside the words of the language.
+    pub(in crate::commands) fn at(level: Level, names: Vec<String>) -> Self {
+        Self { level: Some(level), names }
     }
 
     /// Words that fit the end of a line, each with what it means, and where they begin in it.

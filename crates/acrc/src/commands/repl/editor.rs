@@ -108,11 +108,11 @@ pub(super) fn show(session: &mut Session) -> anyhow::Result<()> {
 }
 
 /// A program may print anything; the terminal shall not act on it.
-fn is_shown(character: char) -> bool {
+pub(in crate::commands) fn is_shown(character: char) -> bool {
     !character.is_control() || matches!(character, '\r' | '\n' | '\t')
 }
 
-fn editor(vocabulary: Arc<Mutex<Vocabulary>>, terminal: Terminal) -> Reedline {
+pub(in crate::commands) fn editor(vocabulary: Arc<Mutex<Vocabulary>>, terminal: Terminal) -> Reedline {
     let mut keys = default_emacs_keybindings();
     bind(&mut keys);
     let menu = ReedlineMenu::EngineCompleter(Box::new(ColumnarMenu::default().with_name(MENU)));
@@ -139,7 +139,7 @@ fn bind(keys: &mut Keybindings) {
 }
 
 /// The prompt of the controller as it is.
-struct ControllerPrompt(String);
+pub(in crate::commands) struct ControllerPrompt(pub(in crate::commands) String);
 
 impl Prompt for ControllerPrompt {
     fn render_prompt_left(&self) -> Cow<'_, str> {

@@ -13,7 +13,10 @@ use std::io::IsTerminal as _;
 
 use anyhow::Context as _;
 
+pub(super) use self::complete::Vocabulary;
+pub(super) use self::editor::{ControllerPrompt, editor, is_shown};
 use self::session::Session;
+pub(super) use self::watch::{Pressed, RawMode, pressed};
 use super::nonvolatile::State;
 use super::virtual_controller::{Wanted, power_up};
 use crate::cli::{ColorChoice, ReplArguments, Speed};

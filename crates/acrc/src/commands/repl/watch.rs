@@ -24,10 +24,10 @@ pub(super) enum Watched {
 }
 
 /// Raw mode for as long as this lives.
-struct RawMode;
+pub(in crate::commands) struct RawMode;
 
 impl RawMode {
-    fn enter() -> io::Result<Self> {
+    pub(in crate::commands) fn enter() -> io::Result<Self> {
         enable_raw_mode().map(|()| Self)
     }
 }
@@ -63,13 +63,13 @@ pub(super) fn watch(session: &mut Session) -> anyhow::Result<Watched> {
 
 /// What a key means to the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Pressed {
+pub(in crate::commands) enum Pressed {
     Quit,
     Character(u8),
     Nothing,
 }
 
-fn pressed(key: KeyEvent) -> Pressed {
+pub(in crate::commands) fn pressed(key: KeyEvent) -> Pressed {
     if key.kind == KeyEventKind::Release {
         return Pressed::Nothing;
     }
