@@ -8,26 +8,41 @@
 //! the database and changes nothing, so it may run on a snapshot in any thread. Every function takes any offset, also one
 //! outside of the text or within a character, and never panics.
 
+mod calls;
 mod code_lenses;
 mod completion;
+mod definition;
+mod folding;
 mod hover;
 mod inlay_hints;
 mod inline_values;
 mod occurrence;
 mod place;
+mod references;
 mod remark;
+mod routine;
+mod selection;
 mod semantic_tokens;
 mod signature_help;
+mod symbols;
+mod target;
 mod typed;
 mod usage;
 
+pub use calls::{Calls, Routine, incoming_calls, outgoing_calls, routine_at};
 pub use code_lenses::{CodeLens, LensAction, code_lenses};
 pub use completion::{Completion, CompletionKind, Completions, completions};
+pub use definition::definition;
+pub use folding::{Fold, FoldKind, folds};
 pub use hover::{Hover, hover, page};
 pub use inlay_hints::{HintOptions, InlayHint, inlay_hints};
 pub use inline_values::{InlineValue, inline_values};
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
+pub use references::{Access, highlights, references};
+pub use selection::selection_ranges;
 pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};
 pub use signature_help::{ArgumentHelp, SignatureHelp, signature_help};
+pub use symbols::{Symbol, SymbolKind, WorkspaceSymbol, document_symbols, workspace_symbols};
+pub use target::Target;
 pub use usage::{ProgramUsage, programs};

@@ -1,6 +1,6 @@
 //! The occurrences in one statement.
 
-use acrc_analysis::{references, walk};
+use acrc_analysis::{SectionIndex, references, walk};
 use acrc_catalog::{CommandId, OperandClass, command};
 use acrc_diagnostics::Span;
 use acrc_syntax::Tree;
@@ -17,6 +17,7 @@ pub(super) struct Collector<'a> {
     pub(super) text: &'a str,
     pub(super) tree: &'a Tree,
     pub(super) level: Level,
+    pub(super) section: Option<&'a SectionIndex>,
     pub(super) is_alias: &'a dyn Fn(&str) -> bool,
     pub(super) statement: u32,
     pub(super) found: &'a mut Vec<Occurrence>,
@@ -134,8 +135,20 @@ impl Collector<'_> {
         let role = if id == command::GOSUB { Role::Call } else { Role::Jump };
         match target {
             Target::Label(name) => self.add(name, self.label(name), role),
-            Target::Line(number, span) => self.add(span, Entity::Line(self.level, number), role),
+            Target::Line(number, span) => {
+                let entity =
+                    if self.is_label(number, span) { self.label(span) } else { Entity::Line(self.level, number) };
+                self.add(span, entity, role);
+            }
         }
+    }
+
+    /// A number is a line number unless only a label of that name exists.
+    fn is_label(&self, number: u32, span: Span) -> bool {
+        self.section.is_some_and(|section| {
+            let is_line = section.lines.binary_search_by_key(&number, |line| line.number).is_ok();
+            !is_line && !section.labels_named(self.text, self.slice(span)).is_empty()
+        })
     }
 
     fn read<'t>(&mut self, expressions: impl IntoIterator<Item = &'t Expr>) {

@@ -3,13 +3,15 @@
 mod collect;
 
 use acrc_analysis::query::{file_index, parse, symbols};
-use acrc_analysis::{Db, Project, SourceFile};
+use acrc_analysis::{Db, Project, SectionIndex, SourceFile};
 use acrc_catalog::{CommandId, FunctionId, Keyword, ObjectKind, OperandClass};
 use acrc_diagnostics::Span;
+use acrc_syntax::ast::Separator;
 use acrc_syntax::units::Level;
 
 use self::collect::Collector;
-use crate::{FilePosition, level_of, statement_at};
+use crate::FilePosition;
+use crate::place::section_of;
 
 pub use acrc_analysis::index::Name;
 
@@ -79,12 +81,12 @@ pub struct Occurrence {
 /// What stands at a place. Of things within each other the innermost; between two that touch, the one that begins.
 pub fn at(db: &dyn Db, position: FilePosition) -> Option<Occurrence> {
     let FilePosition { project, file, offset } = position;
-    let statement = statement_at(db, file, offset)?;
-    // A statement that ends where the next one begins may have a name there.
-    let candidates = [statement.checked_sub(1), Some(statement)].into_iter().flatten();
+    let after = parse(db, file).statements().partition_point(|statement| statement.span.start <= offset) as u32;
     let mut found = Vec::new();
-    for statement in candidates {
-        collect(db, project, file, statement, &mut found);
+    // A statement that ends where the next one begins may have a name there, and the number of a line stands before its
+    // first statement.
+    for statement in after.saturating_sub(2)..=after {
+        collect_at(db, project, file, section_of(db, file, statement), statement, &mut found);
     }
     let touching = found.into_iter().filter(|occurrence| {
         occurrence.span.start <= offset && offset <= occurrence.span.end && !occurrence.span.is_empty()
@@ -103,11 +105,11 @@ pub(crate) fn in_span(db: &dyn Db, project: Project, file: SourceFile, part: Spa
     let first = statements.partition_point(|statement| statement.span.end < part.start) as u32;
     let end = statements.partition_point(|statement| statement.span.start < part.end) as u32;
     let mut found = Vec::new();
-    for section in &file_index(db, file).sections {
-        let section = &section.section;
+    for index in &file_index(db, file).sections {
+        let section = &index.section;
         let own = section.opener.into_iter().chain(section.statements.clone()).chain(section.closer);
         for statement in own.filter(|statement| (first..end).contains(statement)) {
-            collect_at(db, project, file, section.level, statement, &mut found);
+            collect_at(db, project, file, Some(index), statement, &mut found);
         }
     }
     found
@@ -122,24 +124,29 @@ pub fn everywhere(db: &dyn Db, project: Project, entity: &Entity) -> Vec<(Source
         .collect()
 }
 
-fn collect(db: &dyn Db, project: Project, file: SourceFile, statement: u32, found: &mut Vec<Occurrence>) {
-    collect_at(db, project, file, level_of(db, file, statement), statement, found);
-}
-
 fn collect_at(
     db: &dyn Db,
     project: Project,
     file: SourceFile,
-    level: Level,
+    section: Option<&SectionIndex>,
     statement: u32,
     found: &mut Vec<Occurrence>,
 ) {
     let tree = parse(db, file);
     let Some(node) = tree.statements().get(statement as usize) else { return };
+    let level = section.map_or_else(|| file.role(db).start(), |section| section.section.level);
     let symbols = symbols(db, project);
-    let is_alias = |name: &str| symbols.alias(name).is_some();
+    // Within a program that has an axis of this name the word is the axis.
+    let is_alias =
+        |name: &str| symbols.alias(name).is_some() && !symbols.axes_at(level).is_some_and(|axes| axes.has(name));
     let first = found.len();
-    Collector { text: file.text(db), tree, level, is_alias: &is_alias, statement, found }.statement(node);
+    if node.separator == Separator::Line
+        && let Some(number) = tree.lines().get(tree.line_of(statement) as usize).and_then(|line| line.number)
+    {
+        let entity = Entity::Line(level, number.value);
+        found.push(Occurrence { span: number.span, entity, role: Role::Define, statement });
+    }
+    Collector { text: file.text(db), tree, level, section, is_alias: &is_alias, statement, found }.statement(node);
     if let Some(new) = found.get_mut(first..) {
         new.sort_by_key(|occurrence| (occurrence.span.start, occurrence.span.end));
     }

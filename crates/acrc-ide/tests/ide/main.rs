@@ -4,6 +4,7 @@ mod completion;
 mod fixture;
 mod hints;
 mod hover;
+mod navigation;
 mod occurrences;
 mod semantic_tokens;
 mod signature_help;
