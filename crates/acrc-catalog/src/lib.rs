@@ -49,9 +49,9 @@ pub use functions::{Function, FunctionId, all_functions};
 pub use messages::{Message, MessageId, all_messages};
 pub use models::{Model, default_model, model, models};
 pub use numbers::{
-    BitInfo, BitRow, FIRST_FLAG_WORD, FLAG_WORD_COUNT, FLAGS_PER_WORD, FlagWords, Known, ParameterBlock, ParameterInfo,
-    ParameterRow, SetBy, all_bits, all_flag_words, all_parameter_blocks, all_parameters, bit, bit_number,
-    first_system_flag, flag_words, flags_in, parameter, parameter_number,
+    BitInfo, BitRow, FIRST_FLAG_WORD, FLAG_WORD_COUNT, FLAGS_PER_WORD, FlagWords, GROUP_FIELDS, Known, ParameterBlock,
+    ParameterInfo, ParameterRow, SetBy, all_bits, all_flag_words, all_parameter_blocks, all_parameters, bit,
+    bit_number, first_system_flag, flag_words, flags_in, parameter, parameter_number,
 };
 pub use operands::{Operand, all_operands};
 pub use operators::{OperatorInfo, all_operators, all_unary_operators};

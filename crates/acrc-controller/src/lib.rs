@@ -45,7 +45,8 @@ pub use axis::AxisStatistics;
 pub use controller::{Controller, Observer, Options, Sent, Standing, Stopped, Unsupported, View};
 pub use error::ControllerError;
 pub use host_interface::{
-    Conversion, Coordinate, HostArc, HostError, HostMove, HostPath, MoveExtras, MoveMode, MoveStart, Override, Queued,
+    AlarmKind, CONFIGURATION_BYTES, Conversion, Coordinate, FAST_STATUS_GROUPS, FastStatus, HostAlarm, HostArc,
+    HostError, HostMove, HostPath, MoveExtras, MoveMode, MoveStart, Override, Queued,
 };
 pub use master::MasterStatistics;
 pub use program::State;

@@ -13,6 +13,7 @@ use acrc_vm::Text;
 use crate::axis::Axis;
 use crate::error::ControllerError;
 use crate::flags::Flags;
+use crate::host_interface::FastUpdates;
 use crate::master::{Master, SLOTS};
 use crate::mechanics::Mechanics;
 use crate::memory::SystemMemory;
@@ -71,6 +72,8 @@ pub(crate) struct Machine {
     pub(crate) password: Option<Text>,
     /// The hardware of `CONFIG` where it is not that of the factory.
     pub(crate) config: Option<String>,
+    /// Updates of fast status.
+    pub(crate) fast_status: FastUpdates,
     pub(crate) requests: Vec<Request>,
     pub(crate) streams: Streams,
     /// What the run relied on without proof, or left out; each said once.
@@ -107,6 +110,7 @@ impl Machine {
             network: Network::of(model),
             password: None,
             config: None,
+            fast_status: FastUpdates::default(),
             requests: Vec::new(),
             streams: Streams::default(),
             notes: BTreeSet::new(),

@@ -10,7 +10,8 @@ pub use bits::{
     bit_number, first_system_flag, flag_words, flags_in,
 };
 pub use parameters::{
-    ParameterBlock, ParameterInfo, ParameterRow, all_parameter_blocks, all_parameters, parameter, parameter_number,
+    GROUP_FIELDS, ParameterBlock, ParameterInfo, ParameterRow, all_parameter_blocks, all_parameters, parameter,
+    parameter_number,
 };
 
 /// How precisely a number is known.

@@ -208,6 +208,25 @@ pub fn all_parameters() -> impl ExactSizeIterator<Item = &'static ParameterRow> 
     PARAMETERS.iter()
 }
 
+/// Fields of a group of the binary interface.
+pub const GROUP_FIELDS: u8 = 8;
+
+impl ParameterBlock {
+    /// The block that a group code of the binary interface chooses from: the code is the high byte of the number of the first
+    /// parameter. Every row of the guide's table agrees with that, so codes that the table lacks are read in the same way.
+    pub fn of_group(code: u8) -> Option<&'static Self> {
+        let first = u32::from(code) << 8;
+        all_parameter_blocks().find(|block| (block.first..=block.last).contains(&first))
+    }
+
+    /// The number of a field of a group, by the index of the group and the bit of the isolation mask: a parameter of one of eight
+    /// objects, or one of eight that follow each other. None for what lies behind the last object or parameter.
+    pub fn group_field(&self, code: u8, index: u8, bit: u8) -> Option<u32> {
+        let number = (u32::from(code) << 8) + u32::from(index) + u32::from(bit) * self.stride.max(1);
+        (bit < GROUP_FIELDS && number <= self.last).then_some(number)
+    }
+}
+
 /// Every range of parameter numbers.
 pub fn all_parameter_blocks() -> impl ExactSizeIterator<Item = &'static ParameterBlock> {
     BLOCKS.iter()

@@ -10,6 +10,7 @@ mod buffer;
 mod captures;
 mod channel;
 mod curves;
+mod fast_status;
 mod follow;
 mod interrupts;
 mod io;
@@ -104,6 +105,7 @@ static TABLE: LazyLock<Vec<Option<Action>>> = LazyLock::new(|| {
         captures::COMMANDS,
         channel::COMMANDS,
         curves::COMMANDS,
+        fast_status::COMMANDS,
         follow::COMMANDS,
         interrupts::COMMANDS,
         io::COMMANDS,

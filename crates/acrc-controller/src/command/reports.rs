@@ -65,8 +65,7 @@ fn axis_attachments(machine: &Machine) -> Vec<String> {
 fn config(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
     let command = call.command.info().name;
     if call.arguments.is_empty() {
-        let hardware = context.machine.config.as_deref().unwrap_or(FACTORY_CONFIG);
-        let line = format!("{command} {hardware}");
+        let line = format!("{command} {}", context.machine.hardware());
         context.report_text(&line);
         return Ok(Outcome::Done);
     }
@@ -124,8 +123,20 @@ fn help(context: &mut Context) {
 }
 
 fn version(context: &mut Context) {
-    let line = format!("{} virtual controller, acrc {}", context.machine.model.name, env!("CARGO_PKG_VERSION"));
+    let line = context.machine.version();
     context.report_text(&line);
+}
+
+impl Machine {
+    /// What `VER` answers.
+    pub(crate) fn version(&self) -> String {
+        format!("{} virtual controller, acrc {}", self.model.name, env!("CARGO_PKG_VERSION"))
+    }
+
+    /// The hardware of `CONFIG`.
+    pub(crate) fn hardware(&self) -> &str {
+        self.config.as_deref().unwrap_or(FACTORY_CONFIG)
+    }
 }
 
 /// A virtual controller always has the time that it needs.

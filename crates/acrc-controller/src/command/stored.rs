@@ -9,13 +9,11 @@ const fn nothing(command: CommandId) -> Entry {
 }
 
 pub(super) const COMMANDS: &[Entry] = &[
-    // Conversion, commutation and status for a host, none of which the dry run shows; objects that cannot be on.
+    // Conversion and commutation, neither of which the dry run shows; objects that cannot be on.
     nothing(command::ADC_ON),
     nothing(command::ADC_OFF),
     nothing(command::CMT_ON),
     nothing(command::CMT_OFF),
-    nothing(command::FSTAT_ON),
-    nothing(command::FSTAT_OFF),
     nothing(command::PLS_RES),
     // Hardware.
     nothing(command::AXIS_ON),

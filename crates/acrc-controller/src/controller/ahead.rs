@@ -97,7 +97,7 @@ impl Controller {
     pub(super) fn pace(&self, number: usize, end: u64, observer: &dyn Observer) -> Pace {
         let now = self.machine.clock.ticks();
         let here = Pace::slice(now);
-        if self.machine.is_busy() || !self.boot.done || observer.watches_every_tick() {
+        if self.machine.is_busy() || !self.boot.done || self.alarms.watches() || observer.watches_every_tick() {
             return here;
         }
         let mut until = self.machine.next_event_tick().map_or(end, |tick| tick.min(end));

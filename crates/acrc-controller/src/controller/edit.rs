@@ -165,6 +165,7 @@ impl Controller {
     pub(super) fn refuse_start(&mut self, task: Task, flaws: &[Flaw], observer: &mut dyn Observer) {
         self.faulted = true;
         self.program_mut(task).stop(State::Fault);
+        self.alarms.program_fault(task);
         for flaw in flaws {
             let heard = self.tell_flaw(task, &flaw.text, flaw.number);
             observer.fault(&FaultReport {

@@ -34,6 +34,7 @@ pub use view::{Standing, View};
 
 use crate::aliases::Aliases;
 use crate::footprint::Changes;
+use crate::host_interface::Alarms;
 use crate::machine::Machine;
 use crate::plc::Plc;
 use crate::program::{Alarm, Program};
@@ -60,6 +61,8 @@ pub struct Options {
     /// The number of the flag Enable Rapid Move Modes of master 0, which no document gives; that of the next master is 32 further.
     /// `None` leaves rapid move modes disabled.
     pub rapid_move_modes: Option<u32>,
+    /// The parameter whose changes are alarms of programs for clients on the network, which no document gives.
+    pub user_alarm: Option<u32>,
 }
 
 /// A controller with an image.
@@ -91,6 +94,7 @@ pub struct Controller {
     plc_scan: f64,
     /// The flag Enable Rapid Move Modes of master 0.
     pub(crate) rapid_move_modes: Option<u32>,
+    pub(crate) alarms: Alarms,
 }
 
 /// Execution of the setup code.
@@ -147,6 +151,7 @@ impl Controller {
             plc_scan: options.plc_scan.unwrap_or(SLICE_SECONDS),
             reported_events: 0,
             rapid_move_modes: options.rapid_move_modes,
+            alarms: Alarms::new(options.user_alarm),
         })
     }
 

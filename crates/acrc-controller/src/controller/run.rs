@@ -138,6 +138,7 @@ impl Controller {
         if self.machine.clock.ticks().is_multiple_of(self.machine.clock.slice_ticks()) {
             self.slice(end, observer);
         }
+        self.alarms.look(&self.machine);
         observer.tick(&self.view());
     }
 

@@ -196,6 +196,7 @@ impl Controller {
             let mut report = self.fault_report(task.unit(), location, fault.to_string());
             self.faulted = true;
             self.machine.fail_transformations(task);
+            self.alarms.program_fault(task);
             report.heard = self.tell_fault(task, location, &report.message);
             observer.fault(&report);
         }

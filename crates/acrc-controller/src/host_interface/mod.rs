@@ -7,8 +7,11 @@
 //! `docs/host-interface.md` describes what a host sees.
 
 mod address;
+mod alarms;
 mod cell;
 mod error;
+mod fast_status;
+mod management;
 mod memory;
 mod moves;
 mod number;
@@ -17,8 +20,13 @@ mod parameters;
 mod poke;
 mod strings;
 
+pub(crate) use alarms::Alarms;
+pub use alarms::{AlarmKind, HostAlarm};
 pub use cell::Conversion;
 pub use error::HostError;
+pub(crate) use fast_status::FastUpdates;
+pub use fast_status::{FAST_STATUS_GROUPS, FastStatus};
+pub use management::CONFIGURATION_BYTES;
 pub use moves::{Coordinate, HostArc, HostMove, HostPath, MoveExtras, MoveMode, MoveStart, Queued};
 pub use overrides::Override;
 

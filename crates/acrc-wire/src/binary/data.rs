@@ -1,18 +1,13 @@
 //! Data packets: up to eight parameters of a group at once (guide, "Binary Data Packets").
 
-use acrc_catalog::{Confidence, ParameterBlock, all_parameter_blocks};
+use acrc_catalog::{Confidence, GROUP_FIELDS, ParameterBlock, all_parameter_blocks};
 
 use crate::ids::ZERO;
 use crate::reader::Reader;
 use crate::{Fields, Malformed};
 
-/// How many fields a group gives.
-const FIELDS: u8 = 8;
-
-/// Parameters of one kind, one for each of eight objects, or eight that follow each other.
-///
-/// The code of a group is the high byte of the number of its first parameter: every row of the guide's table agrees with
-/// that, so codes that the table lacks are read in the same way.
+/// Parameters of one kind, one for each of eight objects, or eight that follow each other
+/// ([`ParameterBlock::of_group`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Group {
     code: u8,
@@ -22,9 +17,7 @@ pub struct Group {
 impl Group {
     /// The group with a code, if it lies in a block of parameters.
     pub fn of(code: u8) -> Option<Self> {
-        let first = u32::from(code) << 8;
-        let holds = |block: &&ParameterBlock| (block.first..=block.last).contains(&first);
-        all_parameter_blocks().find(holds).map(|block| Self { code, block })
+        ParameterBlock::of_group(code).map(|block| Self { code, block })
     }
 
     /// Its code.
@@ -45,9 +38,7 @@ impl Group {
     /// The number of the parameter that a bit of the isolation mask isolates, by group index and bit. None for an object
     /// or a parameter behind the last one.
     pub fn parameter(&self, index: u8, bit: u8) -> Option<u16> {
-        let first = (u32::from(self.code) << 8) + u32::from(index);
-        let number = first + u32::from(bit) * self.block.stride.max(1);
-        if bit < FIELDS && number <= self.block.last { u16::try_from(number).ok() } else { None }
+        self.block.group_field(self.code, index, bit).and_then(|number| u16::try_from(number).ok())
     }
 }
 
@@ -70,7 +61,7 @@ impl DataRequest {
         let offset = number - block.first;
         let bit = offset.saturating_sub(0xFF).div_ceil(block.stride.max(1));
         let index = u8::try_from(offset.checked_sub(bit * block.stride.max(1))?).ok()?;
-        let mask = 1_u8.checked_shl(bit).filter(|_| bit < u32::from(FIELDS))?;
+        let mask = 1_u8.checked_shl(bit).filter(|_| bit < u32::from(GROUP_FIELDS))?;
         Some(Self { group: block.group_code?, index, mask })
     }
 
@@ -82,7 +73,7 @@ impl DataRequest {
     /// The parameters that are asked for, in the order of the answer. None for one that does not exist.
     pub fn parameters(self) -> impl Iterator<Item = Option<u16>> {
         let group = Group::of(self.group);
-        (0..FIELDS)
+        (0..GROUP_FIELDS)
             .filter(move |bit| self.mask & (1 << bit) != 0)
             .map(move |bit| group.and_then(|group| group.parameter(self.index, bit)))
     }
