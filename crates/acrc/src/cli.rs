@@ -7,6 +7,7 @@ mod motion;
 mod repl;
 mod serve;
 mod term;
+mod transfer;
 
 use std::path::PathBuf;
 
@@ -21,6 +22,7 @@ pub(crate) use motion::{MoveArguments, WatchArguments};
 pub(crate) use repl::{ReplArguments, Speed};
 pub(crate) use serve::ServeArguments;
 pub(crate) use term::TermArguments;
+pub(crate) use transfer::{DiffArguments, DownloadArguments, SaveArgument, UploadArguments};
 
 /// A toolchain for `AcroBASIC`, the language of Parker ACR motion controllers.
 #[derive(Debug, Parser)]
@@ -73,6 +75,12 @@ pub(crate) enum Command {
     State(StateArguments),
     /// Talk to a controller as at its terminal
     Term(TermArguments),
+    /// Send a project to a controller, and verify it
+    Download(DownloadArguments),
+    /// Read what a controller has back into files
+    Upload(UploadArguments),
+    /// Compare a project with what a controller has
+    Diff(DiffArguments),
     /// Read parameters and flags of a controller
     Get(GetArguments),
     /// Write parameters and flags of a controller, and read them back
@@ -319,7 +327,7 @@ fn parse_program(text: &str) -> Result<u8, String> {
 }
 
 /// A stored text: a program, or a PLC program.
-fn parse_text(text: &str) -> Result<UnitName, String> {
+pub(crate) fn parse_text(text: &str) -> Result<UnitName, String> {
     let plc = text.get(..3).filter(|word| word.eq_ignore_ascii_case("PLC"));
     let number = plc.and_then(|_| text[3..].trim().parse::<u8>().ok()).filter(|number| *number < 8);
     match (plc, number) {

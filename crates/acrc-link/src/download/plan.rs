@@ -41,6 +41,7 @@ impl Save {
 
 /// What a user allows and wants.
 #[derive(Clone, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "independent things that a user says")]
 pub struct Settings {
     /// Halt programs that run.
     pub halt: bool,
@@ -52,6 +53,8 @@ pub struct Settings {
     pub password: Option<String>,
     /// Programs to start at the end.
     pub run: Vec<UnitName>,
+    /// Do not list the programs and compare them at the end.
+    pub unverified: bool,
     /// Memories to save in at the end.
     pub save: BTreeSet<Save>,
 }

@@ -94,6 +94,16 @@ impl Script {
     /// # Errors
     /// What cannot be sent, each with its place.
     pub fn of(project: &LoadedProject, image: Image) -> Result<Self, Vec<Problem>> {
+        let (script, problems) = Self::read(project, image);
+        if problems.is_empty() { Ok(script) } else { Err(problems) }
+    }
+
+    /// The lines of a project that compiles, also those that cannot be sent: for comparing.
+    pub fn any(project: &LoadedProject, image: Image) -> Self {
+        Self::read(project, image).0
+    }
+
+    fn read(project: &LoadedProject, image: Image) -> (Self, Vec<Problem>) {
         let mut writer = Writer { lines: Vec::new(), problems: Vec::new(), image: &image, level: Level::System };
         for (file, loaded) in project.files.iter().enumerate() {
             let tree = acrc_syntax::parse(&loaded.source.text);
@@ -102,12 +112,9 @@ impl Script {
             if loaded.is_implicit_program(&tree) { writer.whole(&source, start) } else { writer.file(&source, start) }
         }
         let (lines, problems) = (writer.lines, writer.problems);
-        if !problems.is_empty() {
-            return Err(problems);
-        }
         let files = project.files.iter();
         let files = files.map(|file| ScriptFile { name: file.path.to_string(), text: file.source.text.clone() });
-        Ok(Self { files: files.collect(), lines, image })
+        (Self { files: files.collect(), lines, image }, problems)
     }
 
     /// The programs with a text, as it is at the end.

@@ -26,7 +26,7 @@ impl Watcher for Notes {
             Event::Answered { lines, .. } => self.said.extend_from_slice(lines),
             Event::Note(text) => self.said.push(text.to_owned()),
             Event::Started(unit, running) => self.said.push(format!("{unit} {running}")),
-            Event::Verifying(_) | Event::Saving(_) => {}
+            Event::Verifying(_) | Event::Saving(_) | Event::Tidying => {}
         }
     }
 

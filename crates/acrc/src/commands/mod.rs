@@ -1,6 +1,8 @@
 //! The subcommands, one file each.
 
 mod build;
+mod diff;
+mod download;
 mod explain;
 mod fmt;
 mod get;
@@ -22,6 +24,7 @@ mod state;
 mod stdin;
 mod targets;
 mod term;
+mod upload;
 mod virtual_controller;
 mod watch;
 
@@ -41,6 +44,9 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Serve(serve) => serve::run(serve, arguments.color),
         Command::State(state) => state::run(state),
         Command::Term(term) => term::run(term, arguments.color),
+        Command::Download(download) => download::run(download, arguments.color),
+        Command::Upload(upload) => upload::run(upload, arguments.color),
+        Command::Diff(diff) => diff::run(diff, arguments.color),
         Command::Get(get) => get::run(get, arguments.color),
         Command::Set(set) => set::run(set, arguments.color),
         Command::Move(order) => mov::run(order, arguments.color),

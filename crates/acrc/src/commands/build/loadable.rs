@@ -10,7 +10,7 @@ use acrc_vm::Code;
 use anyhow::Context as _;
 
 /// Why texts of the image cannot be loaded, each behind its place.
-pub(super) fn problems(project: &LoadedProject, image: &Image) -> anyhow::Result<Vec<String>> {
+pub(in crate::commands) fn problems(project: &LoadedProject, image: &Image) -> anyhow::Result<Vec<String>> {
     let mut problems: Vec<String> = image
         .units()
         .filter_map(|unit| {

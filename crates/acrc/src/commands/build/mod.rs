@@ -1,7 +1,7 @@
 //! `acrc build`: compiles a project into an image, with a listing and a map of it.
 
 mod listing;
-mod loadable;
+pub(super) mod loadable;
 mod map;
 
 use std::io::{Write, stderr};
