@@ -25,4 +25,5 @@ pub use connection::{Connection, ESCAPE, Settings};
 pub use console::Console;
 pub use endpoint::{Endpoint, EndpointError, Protocol};
 pub use error::LinkError;
+pub use reply::split_prompt;
 pub use transport::{Tcp, Transport};

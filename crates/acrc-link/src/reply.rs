@@ -34,16 +34,20 @@ pub(crate) fn progress(text: &str, line: &str, echo: bool) -> Progress {
     if let Some(level) = parse_prompt(tail) {
         return Progress::Whole(lines, level);
     }
-    let from = tail.len().saturating_sub(LONGEST_PROMPT);
-    let mut places = tail.char_indices().map(|(place, _)| place).filter(|place| *place >= from);
-    let found = places.find_map(|place| Some((place, parse_prompt(tail.get(place..)?)?)));
-    match found {
-        Some((place, level)) => {
-            let open = tail.get(..place).unwrap_or_default().to_owned();
-            Progress::MaybeWhole(lines.into_iter().chain([open]).collect(), level)
-        }
+    match split_prompt(tail) {
+        Some((open, level)) => Progress::MaybeWhole(lines.into_iter().chain([open.to_owned()]).collect(), level),
         None => Progress::Partial,
     }
+}
+
+/// What stands in front of a prompt at the end of a text, and the level of the prompt. Text may look like one: `(P12>`.
+pub fn split_prompt(text: &str) -> Option<(&str, Level)> {
+    let from = text.len().saturating_sub(LONGEST_PROMPT);
+    let mut places = text.char_indices().map(|(place, _)| place).filter(|place| *place >= from);
+    places.find_map(|place| {
+        let (open, prompt) = text.split_at_checked(place)?;
+        Some((open, parse_prompt(prompt)?))
+    })
 }
 
 /// What follows the echo of a line and its end.

@@ -87,7 +87,8 @@ fn follow(connection: &mut Connection<Tcp>, mut tail: Tail) -> anyhow::Result<Op
             show(&tail.take(&text))?;
             continue;
         }
-        if let Some(level) = tail.prompt() {
+        if let Some((open, level)) = tail.take_prompt() {
+            show(&open)?;
             if tail.is_open() {
                 show("\r\n")?;
             }

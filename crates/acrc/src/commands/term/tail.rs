@@ -1,6 +1,6 @@
 //! Finding the prompt at the end of what a controller sends.
 
-use acrc_link::parse_prompt;
+use acrc_link::{parse_prompt, split_prompt};
 use acrc_syntax::units::Level;
 
 /// What a controller has sent since a line was typed, as far as it is not shown yet.
@@ -38,9 +38,18 @@ impl Tail {
         shown
     }
 
-    /// The prompt, if what is not shown is one.
+    /// What is not shown is a prompt.
     pub(super) fn prompt(&self) -> Option<Level> {
         parse_prompt(&self.text)
+    }
+
+    /// Gives the beginning of a line and the level of the prompt behind it, since nothing more came.
+    pub(super) fn take_prompt(&mut self) -> Option<(String, Level)> {
+        let (open, level) = split_prompt(&self.text).filter(|_| self.echo.is_none())?;
+        let open = open.to_owned();
+        self.text.clear();
+        self.open |= !open.is_empty();
+        Some((open, level))
     }
 
     /// Gives the beginning of a line, since nothing more came.
@@ -79,6 +88,15 @@ mod tests {
         assert_eq!(tail.take_open(), "wait");
         assert_eq!(tail.take("SYS>"), "");
         assert_eq!((tail.prompt(), tail.is_open()), (Some(Level::System), true));
+    }
+
+    #[test]
+    fn a_prompt_may_stand_behind_an_open_line() {
+        let mut tail = Tail::new("? \"ab\";", true);
+        assert_eq!(tail.take("? \"ab\";\r\nabP01>"), "");
+        assert_eq!(tail.prompt(), None);
+        assert_eq!(tail.take_prompt(), Some(("ab".to_owned(), Level::Program(1))));
+        assert!(tail.is_open());
     }
 
     #[test]
