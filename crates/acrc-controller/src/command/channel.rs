@@ -26,7 +26,11 @@ const MODE_VALUES: u8 = 3;
 
 /// `ECHO n`: echo characters (1), no prompt (4).
 fn echo(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError> {
-    channel_setting(context, call, ECHO_VALUES, |channel| &mut channel.echo)
+    let outcome = channel_setting(context, call, ECHO_VALUES, |channel| &mut channel.echo)?;
+    if let Some(channel) = context.channel {
+        context.machine.flag_echo(channel);
+    }
+    Ok(outcome)
 }
 
 /// `MODE n`: how the bytes of binary packets are written on this channel.

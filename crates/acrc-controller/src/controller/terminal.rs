@@ -31,7 +31,9 @@ impl Controller {
     /// When the model has no such stream, or another channel uses it.
     pub fn open_channel(&mut self, stream: StreamName) -> Result<ChannelId, StreamError> {
         stream.check(self.machine.model)?;
-        self.machine.terminal.open(stream)
+        let channel = self.machine.terminal.open(stream)?;
+        self.machine.flag_echo(channel);
+        Ok(channel)
     }
 
     /// Closes a channel. What it was executing is given up, programs go on.

@@ -20,6 +20,9 @@ impl Machine {
         self.network = before.network;
         self.terminal = before.terminal;
         self.terminal.restart();
+        for channel in self.terminal.ids() {
+            self.flag_echo(channel);
+        }
         self.streams = before.streams;
         self.streams.restart();
         self.notes = before.notes;

@@ -60,6 +60,11 @@ impl Machine {
                 self.flags.set(number, state);
                 self.motion.touch_axis(object);
             }
+            Effect::Stream => {
+                self.flags.set(number, state);
+                self.motion.touch_flag(number);
+                self.echo_as_flagged(object);
+            }
             // A flag that has its state already says nothing of the jog that another command has started.
             Effect::Jog(_) if self.flags.get(number) == state => {}
             Effect::Jog(side) => {

@@ -85,13 +85,15 @@ pub(crate) enum Effect {
     JogOff,
     /// Starts to look for home.
     Home,
+    /// Echo or prompt of a stream.
+    Stream,
 }
 
 impl Effect {
     /// Whether giving a flag the state that it has does nothing.
     pub(super) fn is_idle(self, state: bool) -> bool {
         match self {
-            Self::Undocumented | Self::None | Self::ReadOnly | Self::Request | Self::Jog(_) => true,
+            Self::Undocumented | Self::None | Self::ReadOnly | Self::Request | Self::Jog(_) | Self::Stream => true,
             Self::PauseProgram | Self::EnableDrive | Self::AxisSetting => false,
             Self::Master(_)
             | Self::RunProgram
@@ -225,7 +227,7 @@ fn describe_flag(number: u32) -> Flag {
 }
 
 /// Flags that do something, or would.
-const EFFECTS: [(Law, Effect); 26] = [
+const EFFECTS: [(Law, Effect); 28] = [
     (law::FEEDHOLD_REQUEST, Effect::Master(Order::Feedhold)),
     (law::CYCLE_START_REQUEST, Effect::Master(Order::CycleStart)),
     (law::KILL_ALL_MOVES, Effect::Master(Order::Kill)),
@@ -252,6 +254,8 @@ const EFFECTS: [(Law, Effect); 26] = [
     (law::POS_LIMIT_HIT, Effect::AxisSetting),
     (law::NEG_LIMIT_HIT, Effect::AxisSetting),
     (law::EXC_RESPONSE_ENABLE, Effect::AxisSetting),
+    (law::STREAM_ECHO, Effect::Stream),
+    (law::STREAM_NO_PROMPT, Effect::Stream),
 ];
 
 /// Whether a row of the catalogue is certain enough to refuse a write, or to take a set flag away again.

@@ -5,6 +5,7 @@ mod live;
 pub(crate) mod map;
 mod parameters;
 mod store;
+mod stream;
 
 pub(crate) use map::{is_of_unknown_form, is_outside_flag, is_plain_parameter};
 pub(crate) use store::Registers;

@@ -174,8 +174,24 @@ impl Channel {
         }
     }
 
+    /// Whether it echoes what is typed.
+    pub(crate) fn echoes(&self) -> bool {
+        self.echo & ECHO_CHARACTERS != 0
+    }
+
+    /// Whether it leaves the prompt out.
+    pub(crate) fn hides_prompt(&self) -> bool {
+        self.echo & ECHO_NO_PROMPT != 0
+    }
+
+    /// Echoes or not, and leaves the prompt out or not.
+    pub(super) fn set_echo(&mut self, echo: bool, no_prompt: bool) {
+        let rest = self.echo & !(ECHO_CHARACTERS | ECHO_NO_PROMPT);
+        self.echo = rest | if echo { ECHO_CHARACTERS } else { 0 } | if no_prompt { ECHO_NO_PROMPT } else { 0 };
+    }
+
     fn echo_bytes(&mut self, bytes: &[u8]) {
-        if self.echo & ECHO_CHARACTERS != 0 {
+        if self.echoes() {
             self.send(bytes);
         }
     }
@@ -218,7 +234,7 @@ impl Channel {
 
     /// Sends the prompt.
     pub(crate) fn send_prompt(&mut self) {
-        if self.echo & ECHO_NO_PROMPT == 0 {
+        if !self.hides_prompt() {
             let prompt = self.prompt();
             self.output.extend_from_slice(prompt.as_bytes());
         }

@@ -111,6 +111,13 @@ impl Terminal {
         }
     }
 
+    /// Whether a stream echoes and leaves its prompts out, if it is open.
+    pub(crate) fn set_echo(&mut self, stream: StreamName, echo: bool, no_prompt: bool) {
+        if let Some(channel) = self.channels.values_mut().find(|channel| channel.stream == stream) {
+            channel.set_echo(echo, no_prompt);
+        }
+    }
+
     /// All channels.
     pub(crate) fn channels(&self) -> impl Iterator<Item = &Channel> {
         self.channels.values()

@@ -53,6 +53,30 @@ fn echo_and_level_belong_to_a_channel() {
 }
 
 #[test]
+fn flags_of_a_stream_are_its_echo() {
+    let mut desk = Desk::new();
+    let mut open =
+        |name: &str| desk.controller.open_channel(name.parse().expect("a name")).expect("a stream of the model");
+    let [first, second] = [open("STREAM2"), open("STREAM3")];
+    let mut send = |channel, bytes: &[u8]| {
+        desk.controller.receive(channel, bytes);
+        desk.wait(0.05);
+        String::from_utf8(desk.controller.take_output(channel)).expect("ASCII")
+    };
+    assert_eq!(send(first, b"?BIT1792,BIT1794\r"), "?BIT1792,BIT1794\r\n-1\t0\r\nSYS>");
+    assert_eq!(send(first, b"BIT1792=0\r"), "BIT1792=0\r\nSYS>");
+    assert_eq!(send(first, b"BIT1794=1\r"), "");
+    assert_eq!(send(first, b"?1\r"), "1\r\n");
+    assert_eq!(send(first, b"ECHO\r"), "4\r\n");
+    assert_eq!(send(second, b"?BIT1792,BIT1824\r"), "?BIT1792,BIT1824\r\n0\t-1\r\nSYS>");
+    assert_eq!(send(second, b"ECHO 4\r"), "ECHO 4\r\n");
+    assert_eq!(send(second, b"?BIT1824,BIT1826\r"), "0\t-1\r\n");
+    // A controller that restarts keeps its channels, and the flags go with them.
+    send(first, b"REBOOT\r");
+    assert_eq!(send(first, b"?BIT1792,BIT1794\r"), "0\t-1\r\n");
+}
+
+#[test]
 fn numbers_and_separators() {
     let mut desk = Desk::with("SYS\nDIM P(10)\n");
     desk.ask("P0 = 4 : P1 = 2.5 : P2 = 0.1");
