@@ -8,6 +8,7 @@
 //! [`project::search`]. What one file sees of another never holds a place in its text.
 
 mod attachments;
+mod cancel;
 mod checker;
 mod db;
 pub mod deed;
@@ -30,6 +31,7 @@ pub mod walk;
 /// The codes of what [`project::LoadedProject::compile`] reports.
 pub use acrc_compile::codes as compile_codes;
 pub use attachments::{Conflict, Contradiction, Taken};
+pub use cancel::{Cancelled, Canceller, unless_cancelled};
 pub use checker::{Checker, FileContext, Questions};
 pub use db::{Database, Db};
 pub use deed::Deed;

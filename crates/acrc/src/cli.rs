@@ -4,6 +4,7 @@ mod fmt;
 mod link;
 mod lint;
 mod motion;
+mod lsp;
 mod repl;
 mod serve;
 mod term;
@@ -19,6 +20,7 @@ pub(crate) use fmt::{FmtArguments, Numbering};
 pub(crate) use link::{GetArguments, NameArguments, ResetKamrArguments, SetArguments, ToArguments};
 pub(crate) use lint::{FailOn, LintArguments, LintFormat, OutputArguments, SelectionArguments};
 pub(crate) use motion::{MoveArguments, WatchArguments};
+pub(crate) use lsp::LspArguments;
 pub(crate) use repl::{ReplArguments, Speed};
 pub(crate) use serve::ServeArguments;
 pub(crate) use term::TermArguments;
@@ -91,6 +93,8 @@ pub(crate) enum Command {
     Watch(WatchArguments),
     /// Clear the flags of a controller that keep motion from starting
     ResetKamr(ResetKamrArguments),
+    /// Serve an editor with findings, completion and all the rest (language server protocol)
+    Lsp(LspArguments),
     /// Say what is known of a command, function, parameter, bit, controller model or diagnostic
     Explain(ExplainArguments),
 }

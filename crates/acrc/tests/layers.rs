@@ -18,12 +18,13 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-lint", &["acrc-analysis"]),
     ("acrc-fmt", &["acrc-syntax"]),
     ("acrc-ide", &["acrc-lint", "acrc-fmt"]),
+    ("acrc-lsp", &["acrc-ide"]),
     ("acrc-vm", &["acrc-image"]),
     ("acrc-controller", &["acrc-vm", "acrc-motion", "acrc-compile"]),
     ("acrc-store", &["acrc-controller"]),
     ("acrc-server", &["acrc-wire", "acrc-controller"]),
     ("acrc-link", &["acrc-wire", "acrc-analysis"]),
-    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace", "acrc-server", "acrc-link"]),
+    ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace", "acrc-server", "acrc-link", "acrc-lsp"]),
     ("xtask", &["acrc-lint"]),
 ];
 

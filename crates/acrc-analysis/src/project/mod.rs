@@ -64,6 +64,11 @@ pub struct LoadedFile {
 }
 
 impl LoadedFile {
+    pub(crate) fn add_to(&self, db: &Database) -> SourceFile {
+        let Self { path, role, source } = self;
+        SourceFile::new(db, path.to_string(), source.text.clone(), *role, source.diagnostics())
+    }
+
     /// Whether the whole text, of which `tree` is the tree, is the text of a program, without `PROGRAM` and `ENDP`.
     pub fn is_implicit_program(&self, tree: &Tree) -> bool {
         crate::index::is_implicit_program(self.role, tree)
@@ -151,10 +156,8 @@ fn directory_name(files: &dyn Files, root: &Utf8Path) -> Option<String> {
 impl LoadedProject {
     /// Hands the project to the database.
     pub fn add_to(&self, db: &Database) -> Project {
-        let files = self.files.iter().map(|file| {
-            SourceFile::new(db, file.path.to_string(), file.source.text.clone(), file.role, file.source.diagnostics())
-        });
-        Project::new(db, files.collect(), self.model, self.config.clone())
+        let files = self.files.iter().map(|file| file.add_to(db)).collect();
+        Project::new(db, files, self.model, self.config.clone())
     }
 
     /// Patterns of `[lint]` that mean neither a file of the project nor one of the `others`, a sentence each: most are

@@ -10,6 +10,7 @@ mod kinds;
 mod link;
 mod lint;
 mod list;
+mod lsp;
 mod mem;
 mod mov;
 pub(crate) mod nonvolatile;
@@ -52,6 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> anyhow::Result<Exit> {
         Command::Move(order) => mov::run(order, arguments.color),
         Command::Watch(watch) => watch::run(watch, arguments.color),
         Command::ResetKamr(reset) => reset_kamr::run(reset, arguments.color),
+        Command::Lsp(lsp) => lsp::run(lsp),
         Command::Explain(explain) => explain::run(explain),
     }
 }

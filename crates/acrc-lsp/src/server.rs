@@ -1,0 +1,169 @@
+//! The messages of the protocol. A handler queues its work before its first await, and waits for the answer.
+
+use std::sync::Arc;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use camino::Utf8PathBuf;
+use serde_json::json;
+use tokio::sync::oneshot;
+use tower_lsp_server::jsonrpc::{Error, Result};
+use tower_lsp_server::ls_types::{
+    ConfigurationItem, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+    DocumentDiagnosticParams, DocumentDiagnosticReportResult, FileChangeType, FileEvent, InitializeParams,
+    InitializeResult, InitializedParams, Registration, WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult,
+};
+use tower_lsp_server::{Client, LanguageServer};
+
+use crate::abilities::Abilities;
+use crate::outgoing::Outgoing;
+use crate::queue::{Queue, Task};
+use crate::settings::Settings;
+use crate::uri::path_of;
+use crate::workspace::real;
+use crate::{capabilities, diagnostics};
+
+/// Takes messages.
+pub(crate) struct Server {
+    queue: Queue,
+    outgoing: Outgoing,
+    abilities: OnceLock<Abilities>,
+    /// The client asked for the end, so that the process ends well.
+    pub(crate) asked_to_end: Arc<AtomicBool>,
+}
+
+impl Server {
+    pub(crate) fn new(queue: Queue, outgoing: Outgoing, asked_to_end: Arc<AtomicBool>) -> Self {
+        Self { queue, outgoing, abilities: OnceLock::new(), asked_to_end }
+    }
+
+    fn abilities(&self) -> Abilities {
+        self.abilities.get().copied().unwrap_or_default()
+    }
+
+    /// Asks the client for its settings.
+    fn fetch_settings(&self) {
+        let queue = self.queue.clone();
+        self.outgoing.converse(|client: Client| async move {
+            let item = ConfigurationItem { scope_uri: None, section: Some("acrc".to_owned()) };
+            if let Ok(values) = client.configuration(vec![item]).await {
+                queue.send(Task::Settings(Settings::of(values.first())));
+            }
+        });
+    }
+
+    /// Asks to be told what this server can't see by itself.
+    fn register(&self) {
+        let abilities = self.abilities();
+        let registration = |method: &str, options| Registration {
+            id: method.to_owned(),
+            method: method.to_owned(),
+            register_options: options,
+        };
+        let mut wanted = Vec::new();
+        if abilities.registers_watchers {
+            let watchers =
+                json!({ "watchers": [{ "globPattern": "**/*.[8][kK]" }, { "globPattern": "**/acrc.toml" }] });
+            wanted.push(registration("workspace/didChangeWatchedFiles", Some(watchers)));
+        }
+        if abilities.registers_configuration {
+            wanted.push(registration("workspace/didChangeConfiguration", Some(json!({ "section": "acrc" }))));
+        }
+        if !wanted.is_empty() {
+            self.outgoing.converse(|client: Client| async move {
+                // A client that refuses goes on without.
+                let _ = client.register_capability(wanted).await;
+            });
+        }
+    }
+}
+
+/// The folders that the client works in.
+#[expect(deprecated, reason = "older clients name one folder only")]
+fn roots(params: &InitializeParams) -> Vec<Utf8PathBuf> {
+    let folders = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
+    let mut roots: Vec<Utf8PathBuf> = folders.map(|uri| real(&path_of(uri))).collect();
+    if params.workspace_folders.is_none() {
+        roots.extend(params.root_uri.as_ref().map(|uri| real(&path_of(uri))));
+    }
+    roots.retain(|root| root.is_absolute());
+    roots
+}
+
+impl LanguageServer for Server {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        let abilities = *self.abilities.get_or_init(|| Abilities::of(&params.capabilities));
+        let settings = Settings::of(params.initialization_options.as_ref());
+        self.queue.send(Task::Begin(abilities, roots(&params), settings));
+        Ok(capabilities::offer(abilities))
+    }
+
+    async fn initialized(&self, _: InitializedParams) {
+        self.queue.send(Task::Ready);
+        self.register();
+        if self.abilities().has_configuration {
+            self.fetch_settings();
+        }
+    }
+
+    async fn shutdown(&self) -> Result<()> {
+        self.asked_to_end.store(true, Ordering::SeqCst);
+        Ok(())
+    }
+
+    async fn did_open(&self, params: DidOpenTextDocumentParams) {
+        self.queue.send(Task::Open(params.text_document));
+    }
+
+    async fn did_change(&self, params: DidChangeTextDocumentParams) {
+        self.queue.send(Task::Change(params));
+    }
+
+    async fn did_close(&self, params: DidCloseTextDocumentParams) {
+        self.queue.send(Task::Close(params.text_document.uri));
+    }
+
+    async fn did_save(&self, params: DidSaveTextDocumentParams) {
+        if !self.abilities().registers_watchers {
+            // Nobody else says that the file is there now.
+            let event = FileEvent { uri: params.text_document.uri, typ: FileChangeType::CHANGED };
+            self.queue.send(Task::Watched(DidChangeWatchedFilesParams { changes: vec![event] }));
+        }
+    }
+
+    async fn did_change_watched_files(&self, params: DidChangeWatchedFilesParams) {
+        self.queue.send(Task::Watched(params));
+    }
+
+    async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
+        self.queue.send(Task::Folders(params.event));
+    }
+
+    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
+        if self.abilities().has_configuration {
+            self.fetch_settings();
+        } else {
+            self.queue.send(Task::Settings(Settings::of(Some(&params.settings))));
+        }
+    }
+
+    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+        let answer = self.queue.ask(move |snapshot| diagnostics::document(snapshot, &params));
+        answer.await.map_err(diagnostics::overtaken)
+    }
+
+    async fn workspace_diagnostic(&self, params: WorkspaceDiagnosticParams) -> Result<WorkspaceDiagnosticReportResult> {
+        let (sender, answer) = oneshot::channel();
+        let mut sender = Some(sender);
+        self.queue.send(Task::Watch(Box::new(move |snapshot| {
+            if sender.as_ref().is_none_or(oneshot::Sender::is_closed) {
+                return true;
+            }
+            let report = diagnostics::workspace(snapshot, &params);
+            let told = report.map(|report| sender.take().map(|sender| sender.send(report)));
+            told.is_some()
+        })));
+        answer.await.map(Into::into).map_err(|_| Error::internal_error())
+    }
+}

@@ -1,0 +1,6 @@
+//! The server as clients see it: through the protocol.
+
+mod client;
+mod documents;
+mod protocol;
+mod session;
