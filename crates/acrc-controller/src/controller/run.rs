@@ -9,6 +9,7 @@ use crate::program::{NEVER, Program};
 use crate::request::Request;
 use crate::task::Task;
 use crate::terminal::Demand;
+use crate::watch::Watch;
 
 /// Why a run is over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,11 +53,14 @@ impl Arrays for Tables<'_> {
     }
 
     fn store(&mut self, place: ArrayPlace, index: usize, value: &Value) -> bool {
-        let locals = match place.task {
-            Task::Program(number) => self.programs.get_mut(usize::from(number)).map(|program| &mut program.locals),
-            Task::Plc(number) => self.plcs.get_mut(usize::from(number)).map(|plc| &mut plc.program.locals),
+        let program = match place.task {
+            Task::Program(number) => self.programs.get_mut(usize::from(number)),
+            Task::Plc(number) => self.plcs.get_mut(usize::from(number)).map(|plc| &mut plc.program),
         };
-        locals.is_some_and(|locals| locals.write(element(place, index), value).is_ok())
+        let Some(program) = program else { return false };
+        // A program that goes round in a circle does not look whether somebody else writes its variables.
+        program.watch = Watch::default();
+        program.locals.write(element(place, index), value).is_ok()
     }
 }
 

@@ -11,6 +11,7 @@ use crate::plc::Plc;
 use crate::program::{Alarm, Program};
 use crate::task::Task;
 use crate::terminal::ChannelId;
+use crate::watch::Watch;
 
 /// Statements of setup code that may be executed in one tick before the run looks at time again.
 const SETUP_STATEMENTS_PER_TICK: u32 = 10_000;
@@ -90,6 +91,8 @@ impl Immediate<'_> {
         let locals = match program.zip(task) {
             Some((program, task)) => {
                 program.set_space(machine.space(task));
+                // A program that goes round in a circle does not look whether somebody else writes its variables.
+                program.watch = Watch::default();
                 &mut program.locals
             }
             None => self.spare,

@@ -61,3 +61,10 @@ fn motion_can_trigger_samples() {
                 PRINT LA0(0) < LA0(1); LA0(20) - LA0(0) > 4900";
     assert_eq!(Sim::program(body).prints(), ["-1-1"]);
 }
+
+#[test]
+fn a_program_that_goes_round_in_a_circle_sees_samples() {
+    let body = "DIM LA(1)\nDIM LA0(2)\nP5 = 9\nSAMP0 SRC P5\nSAMP0 BASE LA0\nSAMP TRG 1930\nWHILE (LA0(1) = 0)\nWEND\nPRINT LA0(1)";
+    let world = "[[event]]\nat = 5.0\nset = [1930]\n";
+    assert_eq!(Sim::program(body).watched(false).world(world).prints(), ["9"]);
+}

@@ -221,3 +221,13 @@ fn attachments_name_what_the_controller_has() {
     assert_eq!(desk.ask("ATTACH SLAVE1 AXIS1 \"VEL\""), refusal);
     assert_eq!(desk.ask("ATTACH"), "ATTACH MASTER0\r\n");
 }
+
+#[test]
+fn a_program_that_goes_round_in_a_circle_sees_what_is_typed_at_its_prompt() {
+    let mut desk = Desk::with("PROG5\nDIM LV(1)\nPROGRAM\nWHILE (LV0 = 0)\nWEND\nPRINT \"left\"\nENDP\nRUN\n");
+    desk.send("PROG5\r");
+    desk.wait(100.0);
+    assert_eq!(desk.ask("LV0 = 42"), "");
+    desk.wait(0.1);
+    assert_eq!(desk.log.output.concat(), "left\r\n");
+}
