@@ -1,6 +1,7 @@
 //! What a server is started with.
 
 use std::net::{IpAddr, Ipv4Addr};
+use std::time::Duration;
 
 use acrc_controller::Observer;
 use acrc_wire::WireOptions;
@@ -51,6 +52,8 @@ pub struct Config {
     pub speed: Speed,
     /// How the documents are read where they contradict each other.
     pub wire: WireOptions,
+    /// How long a client may not read what it is sent before it is dropped.
+    pub patience: Duration,
     /// Watches the controller. It is called by the thread that owns the pace, so it must not wait.
     pub observer: Box<dyn Observer + Send>,
     /// Is told what happens on the network, by the thread that serves it: it must not wait either.
@@ -65,6 +68,7 @@ impl Config {
             ports: Ports::default(),
             speed: Speed::Factor(1.0),
             wire: WireOptions::default(),
+            patience: Duration::from_secs(10),
             observer: Box::new(observer),
             log: Box::new(|_| {}),
         }

@@ -45,6 +45,8 @@ struct Wired {
     held: Option<Instant>,
     /// The client is held back until what it has sent is read.
     thirsty: bool,
+    /// The client tries again at each beat.
+    retries: bool,
 }
 
 /// When the controller has to be looked at again.
@@ -102,7 +104,7 @@ impl Core {
             Ok(channel) => Some((channel, *stream)),
             Err(StreamError::InUse(_) | StreamError::Missing { .. } | StreamError::Unknown(_)) => None,
         })?;
-        self.wired.push(Wired { channel, client: Arc::clone(client), held: None, thirsty: false });
+        self.wired.push(Wired { channel, client: Arc::clone(client), held: None, thirsty: false, retries: false });
         Some((channel, stream))
     }
 
@@ -112,10 +114,11 @@ impl Core {
         self.wired.retain(|wired| wired.channel != channel);
     }
 
-    /// The client of a channel is told when what it has sent is read.
-    pub(crate) fn hold_back(&mut self, channel: ChannelId) {
+    /// The client of a channel is told when what it has sent is read, or at the next beat if it wants to try something again.
+    pub(crate) fn hold_back(&mut self, channel: ChannelId, retries: bool) {
         if let Some(wired) = self.wired.iter_mut().find(|wired| wired.channel == channel) {
             wired.thirsty = true;
+            wired.retries = retries;
         }
     }
 
@@ -184,7 +187,7 @@ impl Core {
         let mut next: Option<Instant> = None;
         for wired in &mut self.wired {
             let traffic = self.controller.traffic(wired.channel);
-            let is_read = wired.thirsty && traffic.unread < UNREAD / 2;
+            let is_read = wired.thirsty && (wired.retries || traffic.unread < UNREAD / 2);
             wired.thirsty &= !is_read;
             if traffic.unsent == 0 {
                 wired.held = None;

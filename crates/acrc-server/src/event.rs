@@ -66,6 +66,15 @@ pub enum Event {
         /// What is wrong with them.
         problem: String,
     },
+    /// The controller has refused a packet, which has no form to tell its client.
+    Declined {
+        /// Where it came in.
+        service: Service,
+        /// The client's address.
+        peer: SocketAddr,
+        /// Why.
+        problem: String,
+    },
     /// A client has begun to send an operating system: everything is closed down.
     Halted {
         /// Its address.
@@ -124,6 +133,7 @@ impl Event {
             | Self::Disconnected { service, .. }
             | Self::Refused { service, .. }
             | Self::Unreadable { service, .. }
+            | Self::Declined { service, .. }
             | Self::Trouble { service, .. } => Some(*service),
             Self::Halted { .. } | Self::Downloaded { .. } | Self::Rebooting | Self::Rebooted => None,
         }
@@ -136,6 +146,7 @@ impl Event {
             | Self::Disconnected { peer, .. }
             | Self::Refused { peer, .. }
             | Self::Unreadable { peer, .. }
+            | Self::Declined { peer, .. }
             | Self::Halted { peer } => Some(*peer),
             Self::Downloaded { .. } | Self::Rebooting | Self::Rebooted | Self::Trouble { .. } => None,
         }
@@ -154,6 +165,7 @@ impl fmt::Display for Event {
             Self::Unreadable { service, peer, problem } => {
                 write!(f, "{service}: {peer} sent what cannot be read: {problem}")
             }
+            Self::Declined { service, peer, problem } => write!(f, "{service}: {peer} was refused a packet: {problem}"),
             Self::Halted { peer } => write!(f, "{peer} sends an operating system: programs and connections are ended"),
             Self::Downloaded { bytes } => write!(f, "an operating system of {bytes} bytes arrived; it is not executed"),
             Self::Rebooting => f.write_str("the controller restarts"),

@@ -12,7 +12,7 @@ use crate::error::command_streams;
 use crate::listeners::Bound;
 use crate::network::Network;
 use crate::pace::{self, Pace};
-use crate::shared::{Phase, Shared};
+use crate::shared::{Phase, Settings, Shared};
 use crate::{BindError, Config, Ports, Service, Statistics};
 
 /// A virtual controller on the network. It serves until it is told to stop.
@@ -46,12 +46,12 @@ impl Server {
     /// # Errors
     /// When a port cannot be had, or the model has no streams for clients.
     pub fn bind(controller: Controller, config: Config) -> Result<Self, BindError> {
-        let Config { address, ports, speed, wire, observer, log } = config;
+        let Config { address, ports, speed, wire, patience, observer, log } = config;
         let streams = command_streams(controller.model())?;
         let bound = Bound::bind(address, ports)?;
         let ports = bound.ports()?;
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
-        let shared = Shared::new(Core::new(controller, observer, speed), streams, wire, log);
+        let shared = Shared::new(Core::new(controller, observer, speed), streams, Settings { wire, patience, log });
         let paced = Arc::clone(&shared);
         let pace = Builder::new().name("acrc pace".to_owned()).spawn(move || pace::run(&paced))?;
         let network = Network::new(Arc::clone(&shared), address, ports);

@@ -3,7 +3,7 @@
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use acrc_controller::StreamName;
 use acrc_wire::WireOptions;
@@ -28,8 +28,16 @@ pub(crate) struct Shared {
     pub(crate) counters: Counters,
     pub(crate) alarms: broadcast::Sender<Alarm>,
     pub(crate) wire: WireOptions,
+    pub(crate) patience: Duration,
     pub(crate) streams: Vec<StreamName>,
     log: Box<dyn Fn(&Event) + Send + Sync>,
+}
+
+/// What the network goes by.
+pub(crate) struct Settings {
+    pub(crate) wire: WireOptions,
+    pub(crate) patience: Duration,
+    pub(crate) log: Box<dyn Fn(&Event) + Send + Sync>,
 }
 
 /// What the network is about.
@@ -51,12 +59,8 @@ pub(crate) enum Phase {
 }
 
 impl Shared {
-    pub(crate) fn new(
-        core: Core,
-        streams: Vec<StreamName>,
-        wire: WireOptions,
-        log: Box<dyn Fn(&Event) + Send + Sync>,
-    ) -> Arc<Self> {
+    pub(crate) fn new(core: Core, streams: Vec<StreamName>, settings: Settings) -> Arc<Self> {
+        let Settings { wire, patience, log } = settings;
         Arc::new(Self {
             core: Mutex::new(core),
             bell: Bell::default(),
@@ -66,6 +70,7 @@ impl Shared {
             counters: Counters::default(),
             alarms: broadcast::Sender::new(WAITING),
             wire,
+            patience,
             streams,
             log,
         })

@@ -1,22 +1,23 @@
 //! Command connections: a terminal on port 5002, text and binary packets on port 5006.
 
 mod binary;
+mod packets;
 
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
 use acrc_controller::{ChannelId, Traffic};
-use acrc_wire::binary::Requests;
-use acrc_wire::{Channel, Decoder, Item, TRANSFER_TIMEOUT, Waiting};
 use bytes::{Buf as _, BytesMut};
-use tokio::io::AsyncReadExt as _;
+use parking_lot::MutexGuard;
+use tokio::io::{AsyncReadExt as _, Interest, Ready};
 use tokio::net::TcpStream;
 use tokio::net::tcp::WriteHalf;
 use tokio::sync::Notify;
 use tokio::time::{Instant, sleep_until};
 
-use crate::core::UNREAD;
+use self::packets::{Heard, Packets};
+use crate::core::{Core, UNREAD};
 use crate::event::{Event, Reason};
 use crate::farewell::part;
 use crate::registry::Membership;
@@ -29,10 +30,8 @@ const CHUNK: usize = 8192;
 const FULL: usize = 64 * 1024;
 /// Bytes that a client has not read, above which it is dropped.
 const OVERFULL: usize = 4 * 1024 * 1024;
-/// How long a client may be full.
-const PATIENCE: Duration = Duration::from_secs(10);
 /// How long a client that has ended its side gets answers to what it has sent.
-const LINGER: Duration = Duration::from_secs(2);
+const LINGER: Duration = Duration::from_secs(1);
 
 /// A command connection that is served.
 struct Connection {
@@ -42,12 +41,12 @@ struct Connection {
     news: Arc<Notify>,
     membership: Membership,
     /// Only on port 5006.
-    decoder: Option<Decoder<Requests>>,
+    packets: Option<Packets>,
     /// What is to be sent.
     out: BytesMut,
     traffic: Traffic,
-    /// When a packet that is not complete is given up.
-    gives_up: Option<Instant>,
+    /// When it is looked whether a client that is not heard is still there.
+    looks: Option<Instant>,
     /// When a client that does not read, or has ended its side, is dropped.
     drops: Option<Instant>,
     /// The client has ended its side.
@@ -62,16 +61,16 @@ pub(crate) async fn serve(
     (channel, news): (ChannelId, Arc<Notify>),
     packets: bool,
 ) {
-    let decoder = packets.then(|| Channel::ethernet().with_options(shared.wire).requests());
+    let packets = packets.then(|| Packets::new(shared.wire));
     let mut connection = Connection {
         shared,
         channel,
         news,
         membership,
-        decoder,
+        packets,
         out: BytesMut::new(),
         traffic: Traffic::default(),
-        gives_up: None,
+        looks: None,
         drops: None,
         ended: false,
     };
@@ -87,11 +86,13 @@ impl Connection {
             if let Err(reason) = self.write(&writer) {
                 return reason;
             }
-            let hears = !self.ended && self.out.len() < FULL && self.traffic.unread < UNREAD;
+            let hears = self.hears();
+            self.looks = if hears || self.ended { None } else { self.looks.or(Some(self.patience())) };
+            let gives_up = self.packets.as_ref().and_then(|packets| packets.gives_up);
             tokio::select! {
                 biased;
                 reason = self.membership.dismissed() => return reason,
-                () = self.news.notified() => self.fetch(),
+                () = self.news.notified() => self.look(),
                 () = deadline(self.drops) => {
                     return if self.ended { Reason::Left } else { Reason::Stuck };
                 }
@@ -105,72 +106,79 @@ impl Connection {
                     Ok(count) => self.hear(buffer.get(..count).unwrap_or_default()),
                     Err(_) => return Reason::Lost,
                 },
-                () = deadline(self.gives_up), if self.gives_up.is_some() => self.give_up(),
+                () = deadline(gives_up), if gives_up.is_some() => {
+                    if let Some(packets) = &mut self.packets {
+                        packets.give_up();
+                    }
+                }
+                () = deadline(self.looks) => {
+                    self.looks = None;
+                    if has_closed(&writer).await {
+                        return Reason::Left;
+                    }
+                }
             }
         }
     }
 
     /// Takes bytes of the client: all of them under one lock, and what is asked in packets is answered at once.
-    fn hear(&mut self, mut bytes: &[u8]) {
-        let mut core = self.shared.core();
+    fn hear(&mut self, bytes: &[u8]) {
+        let shared = Arc::clone(&self.shared);
+        let mut core = shared.core();
         core.wake();
-        let mut packets = 0;
-        let mut changed = false;
-        match &mut self.decoder {
+        let heard = match &mut self.packets {
             None => {
                 core.controller.receive(self.channel, bytes);
-                changed = true;
+                Heard { changed: true, ..Heard::default() }
             }
-            Some(decoder) => {
-                while let Some(item) = decoder.next_item(&mut bytes) {
-                    match item {
-                        Item::Text(text) => {
-                            core.controller.receive(self.channel, text);
-                            changed = true;
-                        }
-                        Item::Packet(request) => {
-                            packets += 1;
-                            changed |= !request.is_answered();
-                            binary::execute(&mut core, &request, &self.shared.wire, &mut self.out);
-                        }
-                        Item::Unreadable(problem) => self.shared.log(&Event::Unreadable {
-                            service: self.membership.service,
-                            peer: self.membership.peer,
-                            problem: problem.to_string(),
-                        }),
-                    }
-                }
-                let waits = decoder.waiting() == Waiting::Transfer;
-                self.gives_up = waits.then(|| Instant::now() + TRANSFER_TIMEOUT);
-            }
-        }
+            Some(packets) => packets.hear(bytes, self.channel, &mut core, &mut self.out),
+        };
+        self.conclude(core, &heard);
+    }
+
+    /// There is news from the channel: output, or room for what waits.
+    fn look(&mut self) {
+        let shared = Arc::clone(&self.shared);
+        let mut core = shared.core();
+        let sent = core.take_output(self.channel);
+        self.out.extend_from_slice(&sent);
+        let heard = match &mut self.packets {
+            Some(packets) if packets.is_held() => packets.go_on(self.channel, &mut core, &mut self.out),
+            _ => Heard::default(),
+        };
+        self.conclude(core, &heard);
+    }
+
+    fn conclude(&mut self, mut core: MutexGuard<'_, Core>, heard: &Heard) {
         self.traffic = core.controller.traffic(self.channel);
-        if self.traffic.unread >= UNREAD {
-            core.hold_back(self.channel);
+        let held = self.packets.as_ref().is_some_and(Packets::is_held);
+        if held || self.traffic.unread >= UNREAD {
+            core.hold_back(self.channel, held);
         }
-        if changed {
+        if heard.changed {
             self.shared.release(core);
         } else {
             drop(core);
         }
-        Counters::add(&self.shared.counters.packets, packets);
-    }
-
-    /// The time between two bytes of a packet is over.
-    fn give_up(&mut self) {
-        self.gives_up = None;
-        if let Some(decoder) = &mut self.decoder {
-            decoder.time_out();
+        Counters::add(&self.shared.counters.packets, heard.packets);
+        let (service, peer) = (self.membership.service, self.membership.peer);
+        for refusal in &heard.refused {
+            self.shared.log(&Event::Declined { service, peer, problem: refusal.to_string() });
+        }
+        for problem in &heard.unreadable {
+            self.shared.log(&Event::Unreadable { service, peer, problem: problem.to_string() });
         }
     }
 
-    /// Takes what the channel has for the client.
-    fn fetch(&mut self) {
-        let mut core = self.shared.core();
-        let sent = core.take_output(self.channel);
-        self.traffic = core.controller.traffic(self.channel);
-        drop(core);
-        self.out.extend_from_slice(&sent);
+    /// Whether more is taken from the client: not while it does not read, nor while what it has sent waits.
+    fn hears(&self) -> bool {
+        let held = self.packets.as_ref().is_some_and(Packets::is_held);
+        !self.ended && !held && self.out.len() < FULL && self.traffic.unread < UNREAD
+    }
+
+    /// When the patience with the client ends that begins now.
+    fn patience(&self) -> Instant {
+        Instant::now() + self.shared.patience
     }
 
     /// The client will send nothing more. What it has sent is answered.
@@ -200,7 +208,7 @@ impl Connection {
         if self.out.len() < FULL {
             self.drops = None;
         } else if self.drops.is_none() {
-            self.drops = Some(Instant::now() + PATIENCE);
+            self.drops = Some(self.patience());
         }
         Ok(())
     }
@@ -219,6 +227,15 @@ impl Connection {
             Reason::Stuck | Reason::Lost => drop(socket),
             Reason::Left | Reason::Watchdog | Reason::ClosedDown => part(socket, &out).await,
         }
+    }
+}
+
+/// Whether the client has closed its side, whatever it has sent before and nobody has read.
+async fn has_closed(socket: &WriteHalf<'_>) -> bool {
+    tokio::select! {
+        biased;
+        ready = socket.ready(Interest::READABLE) => ready.is_ok_and(Ready::is_read_closed),
+        () = std::future::ready(()) => false,
     }
 }
 

@@ -5,7 +5,6 @@ mod download;
 pub(crate) mod watchdog;
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use acrc_wire::ethernet::management::{DownloadResult, Reply, Request, Requests, passes, requests};
 use acrc_wire::{Decoder, Item};
@@ -25,8 +24,6 @@ use crate::shared::{Phase, Shared};
 
 /// Bytes that are read at once: a block of an operating system and more.
 const CHUNK: usize = 4096;
-/// How long a client may take to read what it is sent.
-const PATIENCE: Duration = Duration::from_secs(10);
 
 /// A management connection that is served.
 struct Connection {
@@ -81,7 +78,7 @@ impl Connection {
         if self.out.is_empty() {
             return Ok(());
         }
-        let written = timeout(PATIENCE, tokio::io::AsyncWriteExt::write_all(writer, &self.out)).await;
+        let written = timeout(self.shared.patience, tokio::io::AsyncWriteExt::write_all(writer, &self.out)).await;
         self.out.clear();
         match written {
             Ok(Ok(())) => Ok(()),

@@ -235,6 +235,7 @@ fn event_object(event: &Event) -> Value {
         Event::Disconnected { reason, .. } => json!({ "event": "disconnected", "reason": reason.to_string() }),
         Event::Refused { .. } => json!({ "event": "refused" }),
         Event::Unreadable { problem, .. } => json!({ "event": "unreadable", "problem": problem }),
+        Event::Declined { problem, .. } => json!({ "event": "declined", "problem": problem }),
         Event::Halted { .. } => json!({ "event": "halted" }),
         Event::Downloaded { bytes } => json!({ "event": "downloaded", "bytes": bytes }),
         Event::Rebooting => json!({ "event": "rebooting" }),
