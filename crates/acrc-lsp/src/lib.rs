@@ -11,6 +11,7 @@
 mod abilities;
 mod capabilities;
 mod diagnostics;
+mod features;
 mod lines;
 mod outgoing;
 mod pool;

@@ -9,14 +9,22 @@ use serde_json::json;
 use tokio::sync::oneshot;
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::{
+    CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem, CallHierarchyOutgoingCall,
+    CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, CompletionItem, CompletionParams, CompletionResponse,
     ConfigurationItem, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
-    DocumentDiagnosticParams, DocumentDiagnosticReportResult, FileChangeType, FileEvent, InitializeParams,
-    InitializeResult, InitializedParams, Registration, WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult,
+    DocumentDiagnosticParams, DocumentDiagnosticReportResult, DocumentHighlight, DocumentHighlightParams,
+    DocumentSymbolParams, DocumentSymbolResponse, FileChangeType, FileEvent, FoldingRange, FoldingRangeParams,
+    GotoDefinitionParams, GotoDefinitionResponse, Hover, HoverParams, InitializeParams, InitializeResult,
+    InitializedParams, Location, ReferenceParams, Registration, SelectionRange, SelectionRangeParams,
+    SemanticTokensDeltaParams, SemanticTokensFullDeltaResult, SemanticTokensParams, SemanticTokensRangeParams,
+    SemanticTokensRangeResult, SemanticTokensResult, SignatureHelp, SignatureHelpParams, WorkspaceDiagnosticParams,
+    WorkspaceDiagnosticReportResult, WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 use tower_lsp_server::{Client, LanguageServer};
 
 use crate::abilities::Abilities;
+use crate::features::{self, Tokens};
 use crate::outgoing::Outgoing;
 use crate::queue::{Queue, Task};
 use crate::settings::Settings;
@@ -29,13 +37,14 @@ pub(crate) struct Server {
     queue: Queue,
     outgoing: Outgoing,
     abilities: OnceLock<Abilities>,
+    tokens: Tokens,
     /// The client asked for the end, so that the process ends well.
     pub(crate) asked_to_end: Arc<AtomicBool>,
 }
 
 impl Server {
     pub(crate) fn new(queue: Queue, outgoing: Outgoing, asked_to_end: Arc<AtomicBool>) -> Self {
-        Self { queue, outgoing, abilities: OnceLock::new(), asked_to_end }
+        Self { queue, outgoing, abilities: OnceLock::new(), tokens: Tokens::default(), asked_to_end }
     }
 
     fn abilities(&self) -> Abilities {
@@ -165,5 +174,90 @@ impl LanguageServer for Server {
             told.is_some()
         })));
         answer.await.map(Into::into).map_err(|_| Error::internal_error())
+    }
+
+    async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
+        self.queue.ask(move |snapshot| features::hover(snapshot, &params)).await
+    }
+
+    async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
+        self.queue.ask(move |snapshot| features::signature(snapshot, &params)).await
+    }
+
+    async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
+        self.queue.ask(move |snapshot| features::complete(snapshot, &params)).await
+    }
+
+    async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
+        self.queue.ask(move |snapshot| features::definition(snapshot, &params)).await
+    }
+
+    async fn references(&self, params: ReferenceParams) -> Result<Option<Vec<Location>>> {
+        self.queue.ask(move |snapshot| features::references(snapshot, &params)).await
+    }
+
+    async fn document_highlight(&self, params: DocumentHighlightParams) -> Result<Option<Vec<DocumentHighlight>>> {
+        self.queue.ask(move |snapshot| features::highlights(snapshot, &params)).await
+    }
+
+    async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
+        self.queue.ask(move |snapshot| features::of_document(snapshot, &params)).await
+    }
+
+    async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
+        self.queue.ask(move |snapshot| features::of_workspace(snapshot, &params)).await
+    }
+
+    async fn prepare_call_hierarchy(
+        &self,
+        params: CallHierarchyPrepareParams,
+    ) -> Result<Option<Vec<CallHierarchyItem>>> {
+        self.queue.ask(move |snapshot| features::prepare_calls(snapshot, &params)).await
+    }
+
+    async fn incoming_calls(
+        &self,
+        params: CallHierarchyIncomingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyIncomingCall>>> {
+        self.queue.ask(move |snapshot| features::incoming(snapshot, &params)).await
+    }
+
+    async fn outgoing_calls(
+        &self,
+        params: CallHierarchyOutgoingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>> {
+        self.queue.ask(move |snapshot| features::outgoing(snapshot, &params)).await
+    }
+
+    async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
+        self.queue.ask(move |snapshot| features::folds(snapshot, &params)).await
+    }
+
+    async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
+        self.queue.ask(move |snapshot| features::selections(snapshot, &params)).await
+    }
+
+    async fn semantic_tokens_range(
+        &self,
+        params: SemanticTokensRangeParams,
+    ) -> Result<Option<SemanticTokensRangeResult>> {
+        self.queue.ask(move |snapshot| features::tokens_in_range(snapshot, &params)).await
+    }
+
+    async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
+        self.queue.ask(move |snapshot| features::resolve_completion(snapshot, item)).await
+    }
+
+    async fn semantic_tokens_full(&self, params: SemanticTokensParams) -> Result<Option<SemanticTokensResult>> {
+        let tokens = self.tokens.clone();
+        self.queue.ask(move |snapshot| tokens.full(snapshot, &params)).await
+    }
+
+    async fn semantic_tokens_full_delta(
+        &self,
+        params: SemanticTokensDeltaParams,
+    ) -> Result<Option<SemanticTokensFullDeltaResult>> {
+        let tokens = self.tokens.clone();
+        self.queue.ask(move |snapshot| tokens.delta(snapshot, &params)).await
     }
 }
