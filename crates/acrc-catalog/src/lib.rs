@@ -25,6 +25,7 @@ mod named;
 
 mod address;
 mod alias_name;
+mod axis_name;
 mod commands;
 mod explain;
 mod fields;
@@ -42,6 +43,7 @@ mod words;
 
 pub use address::AddressLaw;
 pub use alias_name::{AliasNameError, check_alias_name};
+pub use axis_name::{AxisNameError, check_axis_name};
 pub use commands::{Argument, Command, CommandId, all_commands};
 pub use explain::{Entry, Explanation, explain, nearest_command};
 pub use fields::Law;

@@ -7,6 +7,7 @@
 
 use acrc_analysis::FileContext;
 use acrc_analysis::index::Name;
+use acrc_catalog::{AxisNameError, check_axis_name};
 use acrc_diagnostics::{Diagnostic, Severity, Span};
 use acrc_syntax::Tree;
 use acrc_syntax::ast::{Separator, Statement, StatementKind};
@@ -113,7 +114,7 @@ fn long_names(file: &FileContext<'_>) -> Vec<Name> {
     let tables = file.index.sections.iter().filter_map(|section| file.environment.axes_at(section.section.level));
     let mut names: Vec<Name> = tables
         .flat_map(|table| table.names.iter().map(|(name, _)| name))
-        .filter(|name| name.len() > axis_name::LONGEST && name.bytes().all(|byte| byte.is_ascii_alphabetic()))
+        .filter(|name| matches!(check_axis_name(name), Err(AxisNameError::Letters(_))))
         .cloned()
         .collect();
     names.sort_unstable();

@@ -1,6 +1,6 @@
 //! `ACR205`: an axis name that breaks the rules for names.
 
-use acrc_catalog::command;
+use acrc_catalog::{AxisNameError, check_axis_name, command};
 use acrc_diagnostics::{Code, Diagnostic, Severity, Span};
 use acrc_syntax::ast::{Argument, Expr, ExprKind, Statement, StatementKind};
 
@@ -23,9 +23,6 @@ pub(crate) static RULE: Rule = Rule {
     checks: &[Check::Statement(check)],
 };
 
-/// The longest name in letters.
-pub(crate) const LONGEST: usize = 4;
-
 fn check(context: &mut Context<'_>, statement: &Statement) {
     let StatementKind::Command(attach) = &statement.kind else { return };
     if attach.id != command::ATTACH_SLAVE {
@@ -41,32 +38,21 @@ fn check(context: &mut Context<'_>, statement: &Statement) {
 }
 
 fn judge(span: Span, name: &str) -> Option<Diagnostic> {
-    let upper = name.to_ascii_uppercase();
-    let help = "take one to four letters, not P or F";
-    if name.is_empty() {
-        return Some(RULE.at(span, "an axis needs a name").with_help(help));
-    }
-    if let Some(odd) = name.chars().find(|c| !c.is_ascii_alphabetic()) {
-        return Some(
-            RULE.at(span, format!("the axis name `{name}` has a `{odd}`; only letters may be in it")).with_help(help),
-        );
-    }
-    if name.len() > LONGEST {
-        let letters = name.len();
-        return Some(
-            RULE.at(span, format!("the axis name `{name}` has {letters} letters; at most {LONGEST} are possible"))
-                .with_help(help),
-        );
-    }
-    if upper == "P" || upper == "F" {
-        let meaning = if upper == "P" { "a parameter" } else { "the feedrate" };
-        return Some(RULE.at(span, format!("`{name}` can't be an axis name: it is {meaning}")).with_help(help));
-    }
-    let word = acrc_catalog::word(&upper)?;
-    word.names_something().then(|| {
-        RULE.at(span, format!("the axis name `{name}` is a word of the language"))
-            .with_help("moves of this axis would read as that word: take another name")
-            .unconfirmed()
+    let problem = check_axis_name(name).err()?;
+    let message = match problem {
+        AxisNameError::Empty => "an axis needs a name".to_owned(),
+        AxisNameError::Parameter | AxisNameError::Feedrate => {
+            let meaning = if problem == AxisNameError::Parameter { "a parameter" } else { "the feedrate" };
+            format!("`{name}` can't be an axis name: it is {meaning}")
+        }
+        _ => format!("the axis name `{name}` {problem}"),
+    };
+    let finding = RULE.at(span, message);
+    Some(match problem {
+        AxisNameError::Word => {
+            finding.with_help("moves of this axis would read as that word: take another name").unconfirmed()
+        }
+        _ => finding.with_help("take one to four letters, not P or F"),
     })
 }
 
