@@ -8,10 +8,12 @@
 //! the database and changes nothing, so it may run on a snapshot in any thread. Every function takes any offset, also one
 //! outside of the text or within a character, and never panics.
 
+mod actions;
 mod calls;
 mod code_lenses;
 mod completion;
 mod definition;
+mod edits;
 mod folding;
 mod hover;
 mod inlay_hints;
@@ -20,6 +22,7 @@ mod occurrence;
 mod place;
 mod references;
 mod remark;
+mod rename;
 mod routine;
 mod selection;
 mod semantic_tokens;
@@ -29,10 +32,12 @@ mod target;
 mod typed;
 mod usage;
 
+pub use actions::{ActionKind, CodeAction, code_actions, fix_all};
 pub use calls::{Calls, Routine, incoming_calls, outgoing_calls, routine_at};
 pub use code_lenses::{CodeLens, LensAction, code_lenses};
 pub use completion::{Completion, CompletionKind, Completions, completions};
 pub use definition::definition;
+pub use edits::FileEdits;
 pub use folding::{Fold, FoldKind, folds};
 pub use hover::{Hover, hover, page};
 pub use inlay_hints::{HintOptions, InlayHint, inlay_hints};
@@ -40,6 +45,7 @@ pub use inline_values::{InlineValue, inline_values};
 pub use occurrence::{Entity, Name, Occurrence, Role, at, everywhere, in_file};
 pub use place::{FilePosition, FileRange, level_of, statement_at};
 pub use references::{Access, highlights, references};
+pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selection_ranges;
 pub use semantic_tokens::{SemanticToken, TokenClass, semantic_tokens};
 pub use signature_help::{ArgumentHelp, SignatureHelp, signature_help};
