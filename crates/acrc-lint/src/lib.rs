@@ -37,6 +37,7 @@ pub use configuration::{RuleState, problems, rule_states};
 pub(crate) use context::{Context, level_name};
 pub use registry::{explain, rules};
 pub use rule::{Group, RuleDoc};
+pub use suppress::allowed_rules;
 
 /// The linter, for [`acrc_analysis::diagnostics`].
 pub const CHECKER: Checker = Checker { name: "lint", run: pass::run };

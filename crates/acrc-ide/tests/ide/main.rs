@@ -1,8 +1,10 @@
 //! Editor features through the public surface of the crate.
 
-mod completion;
 mod actions;
+mod any_text;
+mod completion;
 mod fixture;
+mod format;
 mod hints;
 mod hover;
 mod navigation;

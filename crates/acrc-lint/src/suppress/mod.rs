@@ -108,6 +108,18 @@ pub(crate) fn is_allowed(tree: &Tree, text: &str, place: Span, doc: &RuleDoc) ->
     place_of(doc.code.id).is_some_and(|rule| Index::new(&suppressions, &uses).find(rule, line).is_some())
 }
 
+/// The rules that comments of a text name to allow them, and where; what names no rule is left out.
+pub fn allowed_rules(tree: &Tree, text: &str) -> Vec<(Span, &'static RuleDoc)> {
+    let suppressions = collect(tree, text, &mut Vec::new());
+    let names = suppressions.iter().flat_map(|suppression| &suppression.allow.names);
+    names
+        .filter_map(|span| {
+            let rule = RULES.get(rule_named(text.get(span.range())?)?)?;
+            Some((*span, &rule.doc))
+        })
+        .collect()
+}
+
 fn line_starts(tree: &Tree) -> Vec<u32> {
     tree.lines().iter().map(|line| line.span.start).collect()
 }
