@@ -19,7 +19,7 @@ pub enum Objection {
     #[error("{} in motion", .0.join(", "))]
     Moving(Vec<String>),
     /// Drives are enabled.
-    #[error("the drive of {} is enabled", axes(.0))]
+    #[error("{}", enabled(.0))]
     Enabled(Vec<u8>),
     /// A program has no memory.
     #[error("{unit} needs {needed} bytes, and {available}")]
@@ -42,7 +42,7 @@ impl Objection {
         match self {
             Self::Running(_) => "--halt halts all programs first",
             Self::Moving(_) => "wait until it is over, or stop it; --halt ends motion of programs, but not jogging",
-            Self::Enabled(_) => "disable it with DRIVE OFF, or allow it with --with-drives-enabled",
+            Self::Enabled(_) => "DRIVE OFF disables a drive; --with-drives-enabled goes on all the same",
             Self::NoMemory { .. } => "give it memory with `DIM PROGn(bytes)` at SYS in the setup of the project",
             Self::Protected(_) => "--password \"TEXT\" lifts the protection with PASSWORD OFF",
         }
@@ -54,9 +54,14 @@ fn going(units: &[UnitName]) -> String {
     format!("{} {}", names.join(", "), if units.len() == 1 { "runs or is paused" } else { "run or are paused" })
 }
 
-fn axes(axes: &[u8]) -> String {
+fn enabled(axes: &[u8]) -> String {
     let names: Vec<String> = axes.iter().map(|axis| format!("AXIS{axis}")).collect();
-    names.join(", ")
+    let names = names.join(", ");
+    if axes.len() == 1 {
+        format!("the drive of {names} is enabled")
+    } else {
+        format!("the drives of {names} are enabled")
+    }
 }
 
 /// Everything that speaks against a download.

@@ -8,12 +8,14 @@
 
 use std::collections::BTreeSet;
 
+use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Model, law};
 use acrc_image::UnitName;
 use acrc_syntax::units::Level;
 
 use super::demand::{Demand, kept};
 use super::immediate::{Special, Traits};
+use super::listing::Names;
 use super::objection::{Objection, objections};
 use super::script::{Kind, Place, Script, ScriptLine, level_of};
 use super::state::{Fate, State};
@@ -99,6 +101,17 @@ pub struct Step {
     pub deed: Deed,
 }
 
+/// A program that is erased.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Erased {
+    /// The program.
+    pub unit: UnitName,
+    /// Its lines; `None` where the controller does not show them.
+    pub lines: Option<usize>,
+    /// Bytes of its text, where that can be read.
+    pub bytes: Option<u32>,
+}
+
 /// What a download will do.
 #[derive(Clone, Debug, Default)]
 pub struct Plan {
@@ -110,8 +123,12 @@ pub struct Plan {
     pub protect: Vec<Step>,
     /// Programs that are there already.
     pub kept: Vec<UnitName>,
-    /// Programs that are erased, with their lines; `None` where the controller does not show them.
-    pub erased: Vec<(UnitName, Option<usize>)>,
+    /// Programs that are erased.
+    pub erased: Vec<Erased>,
+    /// Blocks of system memory that are given back, with their sizes.
+    pub freed: Vec<(SystemBlock, u64)>,
+    /// Aliases that are forgotten.
+    pub forgotten: usize,
     /// What is worth knowing before.
     pub notes: Vec<(Option<Place>, String)>,
     /// What is known of the programs before the first step.
@@ -170,6 +187,7 @@ impl<'a> Builder<'a> {
 
     /// What comes before the lines of the project.
     fn prepare(&mut self, demand: &Demand, settings: &Settings) {
+        self.note_activity();
         if !self.survey.running.is_empty() || !self.survey.moving.is_empty() {
             self.own("HALT ALL", Deed::Halt);
         }
@@ -180,7 +198,9 @@ impl<'a> Builder<'a> {
             }
         }
         if self.plan.whole {
-            self.plan.erased = self.all().into_iter().map(|unit| (unit, self.lines_of(unit))).collect();
+            self.plan.erased = self.all().into_iter().map(|unit| self.erased(unit)).collect();
+            self.plan.freed = self.survey.memory.iter().flatten().map(|(block, size)| (*block, *size)).collect();
+            self.plan.forgotten = self.survey.alias_lines.len();
             if !demand.erases_first {
                 self.own("NEW ALL", Deed::Erase(self.all()));
             }
@@ -193,7 +213,8 @@ impl<'a> Builder<'a> {
             return;
         }
         for unit in self.stale(demand) {
-            self.plan.erased.push((unit, self.lines_of(unit)));
+            let erased = self.erased(unit);
+            self.plan.erased.push(erased);
             self.goto(level_of(unit));
             self.own("NEW", Deed::Erase(vec![unit]));
         }
@@ -216,8 +237,27 @@ impl<'a> Builder<'a> {
         self.survey.programs.keys().copied().collect()
     }
 
-    fn lines_of(&self, unit: UnitName) -> Option<usize> {
-        self.survey.programs.get(&unit).map(|listing| listing.lines.len())
+    /// What goes on at the controller, where that is allowed.
+    fn note_activity(&mut self) {
+        let Survey { running, moving, enabled, version, .. } = self.survey;
+        let mut notes: Vec<String> =
+            running.iter().map(|unit| format!("{unit} runs, or is paused, and is halted")).collect();
+        notes.extend(moving.iter().map(|what| format!("{what} is in motion: what follows begins when that has ended")));
+        notes.extend(enabled.iter().map(|axis| format!("the drive of AXIS{axis} is enabled and stays so")));
+        let model = self.model;
+        let named = |model: &&Model| version.iter().any(|line| line.to_ascii_uppercase().contains(model.name));
+        let other = acrc_catalog::models().iter().find(named).filter(|_| !named(&model));
+        if let Some(other) = other {
+            notes.push(format!("the project is for {}, and the controller says that it is {}", model.name, other.name));
+        }
+        self.plan.notes.extend(notes.into_iter().map(|note| (None, note)));
+    }
+
+    fn erased(&self, unit: UnitName) -> Erased {
+        let listing = self.survey.programs.get(&unit);
+        let names = Names::new(self.survey.aliases.as_deref().unwrap_or_default(), &[]);
+        let stored = listing.and_then(|listing| listing.unit(unit, &names.tables));
+        Erased { unit, lines: listing.map(|listing| listing.lines.len()), bytes: stored.map(|unit| unit.memory()) }
     }
 
     /// The programs that are not as the project has them, and those that it erases without having them.

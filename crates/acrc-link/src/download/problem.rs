@@ -14,8 +14,34 @@ pub mod codes {
     pub const REFUSED: Code = Code { id: "ACR041", name: "refused-by-controller" };
     /// The controller has something else than what was sent.
     pub const NOT_EQUAL: Code = Code { id: "ACR042", name: "differs-on-controller" };
-    /// All of them, in the order of their numbers.
-    pub const ALL: &[Code] = &[NOT_SENDABLE, REFUSED, NOT_EQUAL];
+
+    /// All of them, in the order of their numbers, with what there is to know.
+    pub const ALL: &[(Code, &str)] = &[
+        (
+            NOT_SENDABLE,
+            "A line that `acrc download` cannot send: one that is longer than a controller takes, one that never gives\n\
+             the prompt back (LRUN, LISTEN, TALK TO), one that ends the connection (REBOOT), or a NEW, CLEAR or DIM behind\n\
+             a condition, so that nobody can tell before what it will erase. Nothing is sent then.\n",
+        ),
+        (
+            REFUSED,
+            "A controller answered a line of the project with a text where it should have answered nothing. No document\n\
+             lists the error texts of a controller, so whatever comes counts as a refusal, unless the line is one that\n\
+             reports. The download ends at this line; `acrc download` says which programs are old, new and erased.\n",
+        ),
+        (
+            NOT_EQUAL,
+            "A program was sent, and the controller lists something else. The two are compared as they are stored, so\n\
+             blanks and the case of words are not the reason. The first line that differs is shown.\n",
+        ),
+    ];
+
+    /// What is known of a code, by its number or its name.
+    pub fn explain(topic: &str) -> Option<String> {
+        let is_meant = |code: &Code| code.id.eq_ignore_ascii_case(topic) || code.name.eq_ignore_ascii_case(topic);
+        let (code, text) = ALL.iter().find(|(code, _)| is_meant(code))?;
+        Some(format!("{} {}\n\n{text}", code.id, code.name))
+    }
 }
 
 /// What keeps a project from being sent.

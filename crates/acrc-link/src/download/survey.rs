@@ -35,6 +35,8 @@ pub struct Survey {
     pub attachments: BTreeMap<UnitName, Vec<String>>,
     /// What `ATTACH` reports at the system prompt: what each axis uses.
     pub hardware: Vec<String>,
+    /// What `VER` reports.
+    pub version: Vec<String>,
     /// Programs that run or are paused.
     pub running: Vec<UnitName>,
     /// Masters and axes that move.
@@ -68,6 +70,7 @@ pub fn survey(console: &mut dyn Console, model: &Model) -> Result<Survey, LinkEr
     begin(console)?;
     let mut survey = Survey::default();
     survey.activity(console, model)?;
+    survey.version = console.command("VER")?.lines;
     survey.memory = dimensions(&console.command("DIM")?.lines);
     survey.alias_lines = console.command("DEF")?.lines;
     survey.aliases = definitions(&survey.alias_lines);

@@ -161,17 +161,15 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The lines directly above one that hold nothing but comments and blanks.
+    /// The comments and empty lines directly above a line.
     fn above(&mut self, file: usize, line: u32) {
         let first = (1..line).rev().take_while(|line| !self.owners.contains_key(&(file, *line))).last();
         let Some(first) = first else { return };
         let comments: Vec<&str> = (first..line).filter_map(|line| self.source(file, line)).map(str::trim_end).collect();
-        if comments.iter().any(|line| !line.is_empty()) {
-            // No text begins with empty lines.
-            let begins = self.text.is_empty();
-            let comments = comments.into_iter().skip_while(|line| begins && line.is_empty());
-            self.text.extend(comments.flat_map(|line| [line, "\n"]));
-        }
+        // No text begins with empty lines.
+        let begins = self.text.is_empty();
+        let comments = comments.into_iter().skip_while(|line| begins && line.is_empty());
+        self.text.extend(comments.flat_map(|line| [line, "\n"]));
     }
 
     fn source(&self, file: usize, line: u32) -> Option<&'a str> {

@@ -3,6 +3,7 @@
 mod back;
 mod bench;
 mod cut;
+mod liars;
 mod refused;
 mod whole;
 

@@ -20,6 +20,10 @@ pub(super) fn run(arguments: &ExplainArguments) -> anyhow::Result<Exit> {
         })?;
         return Ok(Exit::Clean);
     }
+    if let Some(text) = acrc_link::download::codes::explain(&topic) {
+        print(|out| write!(out, "{text}"))?;
+        return Ok(Exit::Clean);
+    }
     let explanation = acrc_catalog::explain(&topic);
     if !matches!(explanation, Explanation::Entries(_))
         && let Some(rule) = nearest(&topic.to_ascii_lowercase(), acrc_lint::rules().map(|doc| doc.code.name))

@@ -3,6 +3,8 @@
 mod progress;
 mod show;
 
+use std::time::Duration;
+
 use acrc_analysis::project::LoadedProject;
 use acrc_diagnostics::Diagnostic;
 use acrc_image::{Image, UnitName};
@@ -21,6 +23,9 @@ use crate::output::{Terminal, tell};
 
 /// What errors leave undone.
 const NOT_SENT: &str = "is not sent";
+
+/// Time for a network or a controller to come back.
+const BETWEEN_ATTEMPTS: Duration = Duration::from_secs(1);
 
 /// What is to be done.
 struct Order<'a> {
@@ -56,26 +61,7 @@ pub(super) fn run(arguments: &DownloadArguments, color: ColorChoice) -> anyhow::
     let settings = settings(arguments, &project, &script.image)?;
     watch_interrupt()?;
     let order = Order { arguments, project: &project, script, settings, terminal };
-    let mut confirmed = arguments.yes;
-    let mut left = arguments.attempts;
-    loop {
-        let failure = match order.attempt(&mut confirmed) {
-            Ok(exit) | Err(Ended::Exit(exit)) => return Ok(exit),
-            Err(Ended::Link(error)) => return Ok(failed(error, terminal)),
-            Err(Ended::Objections(objections)) => {
-                show::objections(&objections, &order);
-                return Ok(Exit::Findings);
-            }
-            Err(Ended::Failure(failure)) => failure,
-        };
-        let broken = matches!(&failure.cause, Cause::Link(error) if error.is_broken());
-        if !broken || is_interrupted(&failure) || left == 0 {
-            show::failure(&failure, &order)?;
-            return Ok(exit_of(&failure));
-        }
-        left -= 1;
-        crate::exit::warn(&format!("{}; the download is taken up again", failure.cause), terminal);
-    }
+    order.run()
 }
 
 /// The lines of a project that a controller is known to take; what speaks against it is shown otherwise.
@@ -97,7 +83,7 @@ fn sendable(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Optio
     let script = match Script::of(project, image) {
         Ok(script) => script,
         Err(problems) => {
-            show_problems(project, problems, terminal);
+            show_problems(project, problems, NOT_SENT, terminal);
             return Ok(None);
         }
     };
@@ -108,14 +94,14 @@ fn sendable(project: &LoadedProject, terminal: Terminal) -> anyhow::Result<Optio
 }
 
 /// Shows findings of a download at their places.
-fn show_problems(project: &LoadedProject, problems: Vec<Problem>, terminal: Terminal) {
+fn show_problems(project: &LoadedProject, problems: Vec<Problem>, undone: &str, terminal: Terminal) {
     let mut found: Vec<Vec<Diagnostic>> = project.files.iter().map(|_| Vec::new()).collect();
     for problem in problems {
         if let Some(list) = found.get_mut(problem.file) {
             list.push(problem.diagnostic);
         }
     }
-    show_errors(project, &found, NOT_SENT, terminal);
+    show_errors(project, &found, undone, terminal);
 }
 
 fn settings(arguments: &DownloadArguments, project: &LoadedProject, image: &Image) -> anyhow::Result<Settings> {
@@ -173,6 +159,37 @@ fn gives_up() -> bool {
 }
 
 impl Order<'_> {
+    /// Attempts until one ends well or nothing more can be done.
+    fn run(&self) -> anyhow::Result<Exit> {
+        let mut confirmed = self.arguments.yes;
+        let mut left = self.arguments.attempts;
+        // What is known of the controller since the connection broke.
+        let mut broken: Option<Box<Failure>> = None;
+        loop {
+            let (error, failure) = match self.attempt(&mut confirmed) {
+                Ok(exit) | Err(Ended::Exit(exit)) => return Ok(exit),
+                Err(Ended::Objections(objections)) => {
+                    show::objections(&objections, self, broken.as_deref());
+                    return Ok(Exit::Findings);
+                }
+                Err(Ended::Link(error)) => match broken.take() {
+                    None => return Ok(failed(error, self.terminal)),
+                    Some(before) => (error.to_string(), before),
+                },
+                Err(Ended::Failure(failure)) => (failure.cause.to_string(), failure),
+            };
+            let lost = matches!(&failure.cause, Cause::Link(error) if error.is_broken());
+            if !lost || is_interrupted(&failure) || super::link::interrupted() || left == 0 {
+                show::failure(&failure, self)?;
+                return Ok(exit_of(&failure));
+            }
+            left -= 1;
+            crate::exit::warn(&format!("{error}; the download is taken up again"), self.terminal);
+            std::thread::sleep(BETWEEN_ATTEMPTS);
+            broken = Some(failure);
+        }
+    }
+
     fn connect(&self) -> Result<Connection<Tcp>, LinkError> {
         let to = &self.arguments.to;
         Connection::open(&to.to, to.protocol(Protocol::Text), to.settings(gives_up))
@@ -197,6 +214,10 @@ impl Order<'_> {
                 Ok(false) => return Err(self.exit(&anyhow::anyhow!("nothing was sent"))),
                 Err(error) => return Err(self.exit(&error)),
             }
+        }
+        if self.arguments.json {
+            crate::output::print(|out| writeln!(out, "{}", show::plan_json(&plan, self)))
+                .map_err(|error| self.exit(&error))?;
         }
         let mut progress = Progress::new(self.arguments.json, &self.script);
         let sent = send(&mut connection, &self.script, &plan, &self.settings, &mut progress, model);

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use acrc_link::download::{Cause, Failure, Fate, Objection, Plan, State};
+use acrc_link::download::{Cause, Erased, Failure, Fate, Objection, Plan, State};
 use serde_json::{Value, json};
 
 use super::progress::at;
@@ -18,17 +18,8 @@ pub(super) fn summary(plan: &Plan, order: &Order) {
 fn write_summary(plan: &Plan, order: &Order, out: &mut dyn Write) -> io::Result<()> {
     let (to, model) = (&order.arguments.to.to, order.project.model.name);
     writeln!(out, "{} to {to} ({model})", title(order.project))?;
-    if plan.whole {
-        writeln!(out, "  erased   all programs, memory, aliases and variables of the controller")?;
-    }
-    for (unit, lines) in &plan.erased {
-        match lines {
-            Some(1) => writeln!(out, "  erased   {unit}, 1 line")?,
-            Some(lines) => writeln!(out, "  erased   {unit}, {lines} lines")?,
-            None => writeln!(out, "  erased   {unit}, if there is one: the controller does not show it")?,
-        }
-    }
-    for unit in plan.state.with(Fate::Old).filter(|unit| !plan.erased.iter().any(|(erased, _)| erased == unit)) {
+    write_erased(plan, out)?;
+    for unit in plan.state.with(Fate::Old).filter(|unit| !plan.erased.iter().any(|erased| erased.unit == *unit)) {
         writeln!(out, "  stays    {unit}, which the project does not have")?;
     }
     for unit in &plan.kept {
@@ -56,6 +47,29 @@ fn write_summary(plan: &Plan, order: &Order, out: &mut dyn Write) -> io::Result<
     Ok(())
 }
 
+fn write_erased(plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
+    if plan.whole {
+        writeln!(out, "  erased   all programs, memory, aliases and variables of the controller")?;
+    }
+    for Erased { unit, lines, bytes } in &plan.erased {
+        let size = bytes.map_or_else(String::new, |bytes| format!(", {bytes} bytes"));
+        match lines {
+            Some(1) => writeln!(out, "  erased   {unit}, 1 line{size}")?,
+            Some(lines) => writeln!(out, "  erased   {unit}, {lines} lines{size}")?,
+            None => writeln!(out, "  erased   {unit}, if there is one: the controller does not show it")?,
+        }
+    }
+    if !plan.freed.is_empty() {
+        let blocks: Vec<String> = plan.freed.iter().map(|(block, size)| format!("{block}({size})")).collect();
+        writeln!(out, "  erased   DIM {}", blocks.join(" "))?;
+    }
+    match plan.forgotten {
+        0 => Ok(()),
+        1 => writeln!(out, "  erased   1 alias"),
+        count => writeln!(out, "  erased   {count} aliases"),
+    }
+}
+
 /// The whole plan, on standard output.
 pub(super) fn plan(plan: &Plan, order: &Order) -> anyhow::Result<()> {
     if order.arguments.json {
@@ -73,21 +87,23 @@ pub(super) fn plan(plan: &Plan, order: &Order) -> anyhow::Result<()> {
     })
 }
 
-fn plan_json(plan: &Plan, order: &Order) -> Value {
+pub(super) fn plan_json(plan: &Plan, order: &Order) -> Value {
+    let erased = plan.erased.iter();
     let erased: Vec<Value> =
-        plan.erased.iter().map(|(unit, lines)| json!({ "program": unit.to_string(), "lines": lines })).collect();
+        erased.map(|one| json!({ "program": one.unit.to_string(), "lines": one.lines, "bytes": one.bytes })).collect();
+    let freed: Vec<String> = plan.freed.iter().map(|(block, size)| format!("{block}({size})")).collect();
     let kept: Vec<String> = plan.kept.iter().map(ToString::to_string).collect();
     let steps = plan.steps.iter().chain(&plan.protect);
     let steps: Vec<Value> = steps.map(|step| json!({ "line": step.line, "at": at(step, &order.script) })).collect();
     let notes: Vec<Value> =
         plan.notes.iter().map(|(place, note)| json!({ "text": note, "line": place.map(|place| place.line) })).collect();
     json!({
-        "event": "plan", "whole": plan.whole, "erased": erased, "kept": kept, "steps": steps, "notes": notes,
+        "event": "plan", "whole": plan.whole, "erased": erased, "freed": freed, "kept": kept, "steps": steps, "notes": notes,
     })
 }
 
-/// Why nothing was sent.
-pub(super) fn objections(objections: &[Objection], order: &Order) {
+/// Why nothing was sent, or nothing more since the connection broke.
+pub(super) fn objections(objections: &[Objection], order: &Order, before: Option<&Failure>) {
     if order.arguments.json {
         let list: Vec<Value> =
             objections.iter().map(|one| json!({ "text": one.to_string(), "help": one.help() })).collect();
@@ -99,7 +115,10 @@ pub(super) fn objections(objections: &[Objection], order: &Order) {
         for objection in objections {
             writeln!(err, "{word} {objection}\n  help: {}", objection.help())?;
         }
-        writeln!(err, "{} is not sent: nothing was changed on the controller", title(order.project))
+        match before {
+            None => writeln!(err, "{} is not sent: nothing was changed on the controller", title(order.project)),
+            Some(failure) => writeln!(err, "state of the controller: {}", failure.state),
+        }
     });
 }
 
@@ -117,7 +136,7 @@ pub(super) fn failure(failure: &Failure, order: &Order) -> anyhow::Result<()> {
         print(|out| writeln!(out, "{event}"))?;
     }
     if let Some(problem) = failure.problem() {
-        show_problems(order.project, vec![problem], order.terminal);
+        show_problems(order.project, vec![problem], "did not arrive as a whole", order.terminal);
     }
     let word = order.terminal.error_word("error:");
     tell(|err| {
