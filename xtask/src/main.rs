@@ -1,7 +1,9 @@
 //! What is generated from the catalogue and the linter's registry, and the check that it is current.
 //!
-//! `cargo xtask generate` writes the pages, `cargo xtask check` fails when one of them is not what it would write.
+//! `cargo xtask generate` writes the pages and the grammars, `cargo xtask check` fails when one of them is not what it would
+//! write. Both need node for the tree-sitter grammar.
 
+mod grammars;
 mod pages;
 
 use std::path::Path;
@@ -30,22 +32,26 @@ fn root() -> &'static Path {
 }
 
 fn generate() -> anyhow::Result<()> {
-    for page in pages::all() {
+    for page in pages::all().into_iter().chain(grammars::pages()) {
         let path = root().join(page.path);
         let folder = path.parent().context("a page lies in a folder")?;
         std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
         std::fs::write(&path, page.text).with_context(|| format!("cannot write {}", path.display()))?;
         println!("{}", page.path);
     }
+    grammars::generate_parser(root())?;
+    println!("the tree-sitter parser");
     Ok(())
 }
 
 fn check() -> anyhow::Result<()> {
-    let stale: Vec<&str> = pages::all()
+    let mut stale: Vec<String> = pages::all()
         .into_iter()
+        .chain(grammars::pages())
         .filter(|page| std::fs::read_to_string(root().join(page.path)).ok().as_deref() != Some(&page.text))
-        .map(|page| page.path)
+        .map(|page| page.path.to_owned())
         .collect();
+    stale.extend(grammars::stale_parser(root())?);
     if !stale.is_empty() {
         bail!("not current: {}; run `cargo xtask generate`", stale.join(", "));
     }

@@ -25,6 +25,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("acrc-server", &["acrc-wire", "acrc-controller"]),
     ("acrc-link", &["acrc-wire", "acrc-analysis"]),
     ("acrc", &["acrc-lint", "acrc-fmt", "acrc-store", "acrc-trace", "acrc-server", "acrc-link", "acrc-lsp"]),
+    ("tree-sitter-acrobasic", &[]),
     ("xtask", &["acrc-lint"]),
 ];
 
