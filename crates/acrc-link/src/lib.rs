@@ -15,6 +15,7 @@ mod console;
 pub mod download;
 mod endpoint;
 mod error;
+pub mod fast_status;
 pub mod motion;
 mod reply;
 mod transport;

@@ -49,9 +49,13 @@ pub(crate) struct MoveArguments {
                         since the first, then the values. Port 5006 is spoken unless --to says otherwise, since packets are\n\
                         faster. At the end, standard error gets the number of samples, the rate, and how many were missed\n\
                         because an answer took longer than --every.\n\n\
+                        With --fast-status the controller sends the values by itself over UDP, every 1 ms or slower. It\n\
+                        sends what its groups FSTAT0 to FSTAT9 hold; --set-groups sets as many as are needed, for\n\
+                        everybody who gets fast status from it, until somebody sets them otherwise.\n\n\
                         NAMES are as for acrc get. Examples:\n  \
                         acrc watch --to 192.168.10.40 P12288 BIT516\n  \
-                        acrc watch --to 192.168.10.40 --axis 0 following_error --every 5ms --for 10s --csv > fe.csv\n\n\
+                        acrc watch --to 192.168.10.40 --axis 0 following_error --every 5ms --for 10s --csv > fe.csv\n  \
+                        acrc watch --to 192.168.10.40 P12290 BIT516 --fast-status --set-groups --every 1ms --for 5s --csv\n\n\
                         Exit status: 0 the time is over or Ctrl-C without --for, 1 the controller refused, 2 could not,\n\
                         130 interrupted before --for was over."
 )]
@@ -69,12 +73,28 @@ pub(crate) struct WatchArguments {
     /// How long; otherwise until Ctrl-C
     #[arg(long = "for", value_name = "TIME", value_parser = parse_wait)]
     pub(crate) span: Option<Duration>,
+    #[command(flatten)]
+    pub(crate) fast: FastArguments,
     /// Write lines with commas, also to a terminal
     #[arg(long, conflicts_with = "json")]
     pub(crate) csv: bool,
     /// Write one JSON object for each sample
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// How `acrc watch` uses fast status.
+#[derive(Args, Debug)]
+pub(crate) struct FastArguments {
+    /// Let the controller send the values by itself, over UDP
+    #[arg(long)]
+    pub(crate) fast_status: bool,
+    /// Set the groups of fast status that are needed, for every client of the controller
+    #[arg(long, requires = "fast_status")]
+    pub(crate) set_groups: bool,
+    /// The port of fast status [default: 5003]
+    #[arg(long, value_name = "PORT", requires = "fast_status")]
+    pub(crate) fast_port: Option<u16>,
 }
 
 fn parse_target(text: &str) -> Result<Target, String> {

@@ -3,8 +3,10 @@
 use std::io::{self, IsTerminal as _};
 use std::time::{Duration, Instant};
 
+use acrc_link::fast_status::{Layout, Subscriber, groups_for, read_groups, set_groups};
 use acrc_link::values::{Named, Register, Value, read};
 use acrc_link::{Connection, LinkError, Protocol, Tcp};
+use anyhow::{Context as _, bail};
 use serde_json::{Value as Json, json};
 
 use super::get::as_json;
@@ -26,14 +28,20 @@ pub(super) fn run(arguments: &WatchArguments, color: ColorChoice) -> anyhow::Res
         named.extend(names.find(name)?);
     }
     watch_interrupt()?;
-    let mut connection = match connect(&arguments.to, Protocol::Mixed) {
+    // Fast status needs no packets, only the text of the settings.
+    let usual = if arguments.fast.fast_status { Protocol::Text } else { Protocol::Mixed };
+    let mut connection = match connect(&arguments.to, usual) {
         Ok(connection) => connection,
         Err(error) => return Ok(failed(error, terminal)),
     };
     let mut sheet = Sheet::new(arguments, &named, Terminal::output(color));
     let mut account = Account::default();
     sheet.head()?;
-    let result = sample(arguments, &mut connection, &named, &mut sheet, &mut account);
+    let result = if arguments.fast.fast_status {
+        subscribe(arguments, &mut connection, &named, &mut sheet, &mut account)
+    } else {
+        sample(arguments, &mut connection, &named, &mut sheet, &mut account)
+    };
     sheet.end()?;
     if account.samples > 0 {
         crate::exit::note(&account.to_string(), terminal);
@@ -83,6 +91,62 @@ fn sample(
     }
 }
 
+/// Shows what the controller sends by itself. The inner error is that of the connection.
+fn subscribe(
+    arguments: &WatchArguments,
+    connection: &mut Connection<Tcp>,
+    named: &[Named],
+    sheet: &mut Sheet<'_>,
+    account: &mut Account,
+) -> anyhow::Result<Result<Exit, LinkError>> {
+    let registers: Vec<Register> = named.iter().map(|named| named.register).collect();
+    let groups = if arguments.fast.set_groups {
+        let groups = groups_for(&registers)?;
+        set_groups(connection, &groups).map(|()| groups)
+    } else {
+        read_groups(connection)
+    };
+    let groups = match groups {
+        Ok(groups) => groups,
+        Err(error) => return Ok(Err(error)),
+    };
+    let layout = Layout::find(&registers, &groups).context("--set-groups would set the groups")?;
+    let milliseconds = u32::try_from(arguments.every.as_millis()).ok().filter(|every| *every > 0);
+    let milliseconds = milliseconds.context("--every: fast status comes every 1 ms or slower")?;
+    let host = &arguments.to.to;
+    let subscriber = Subscriber::new(host, arguments.fast.fast_port, milliseconds).context("fast status")?;
+    let (mut begun, mut last): (Option<Instant>, Option<Instant>) = (None, None);
+    loop {
+        if interrupted() {
+            return Ok(Ok(ended(arguments)));
+        }
+        let status = subscriber.receive(BEAT).context("fast status")?;
+        let now = Instant::now();
+        let waited = now.duration_since(*last.get_or_insert(now));
+        let Some(status) = status else {
+            if waited > arguments.to.timeout.max(2 * arguments.every) {
+                bail!(
+                    "no fast status came for {} s: the controller has five clients, or a firewall is between",
+                    waited.as_secs()
+                );
+            }
+            continue;
+        };
+        last = Some(now);
+        let since = now.duration_since(*begun.get_or_insert(now));
+        if account.samples > 0 {
+            // One that comes a little late is none that is missing.
+            let intervals = (waited.as_secs_f64() / arguments.every.as_secs_f64()).round() as u64;
+            account.missed += intervals.saturating_sub(1);
+        }
+        account.add(since, waited);
+        sheet.add(since, &layout.values(&status))?;
+        if nobody_reads() || arguments.span.is_some_and(|span| since >= span) {
+            return Ok(Ok(Exit::Clean));
+        }
+    }
+}
+
 /// How Ctrl-C ends it: without `--for` there is no other way.
 fn ended(arguments: &WatchArguments) -> Exit {
     if arguments.span.is_none() { Exit::Clean } else { Exit::Interrupted }
@@ -126,7 +190,7 @@ impl std::fmt::Display for Account {
         if self.samples > 1 && !self.last.is_zero() {
             write!(f, ", {:.1} a second", (self.samples - 1) as f64 / self.last.as_secs_f64())?;
         }
-        write!(f, ", {} missed, the slowest took {:.1} ms", self.missed, self.slowest.as_secs_f64() * 1e3)
+        write!(f, ", {} missed, the longest wait {:.1} ms", self.missed, self.slowest.as_secs_f64() * 1e3)
     }
 }
 
@@ -217,9 +281,9 @@ mod tests {
     fn an_account_says_how_it_went() {
         let mut account = Account::default();
         account.add(Duration::ZERO, Duration::from_millis(2));
-        assert_eq!(account.to_string(), "1 sample in 0.000 s, 0 missed, the slowest took 2.0 ms");
+        assert_eq!(account.to_string(), "1 sample in 0.000 s, 0 missed, the longest wait 2.0 ms");
         account.add(Duration::from_millis(500), Duration::from_micros(500));
         account.missed = 3;
-        assert_eq!(account.to_string(), "2 samples in 0.500 s, 2.0 a second, 3 missed, the slowest took 2.0 ms");
+        assert_eq!(account.to_string(), "2 samples in 0.500 s, 2.0 a second, 3 missed, the longest wait 2.0 ms");
     }
 }
