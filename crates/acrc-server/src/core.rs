@@ -88,7 +88,7 @@ impl Core {
     /// Restarts the controller.
     pub(crate) fn reboot(&mut self) {
         self.wake();
-        self.controller.power_cycle(&mut *self.observer);
+        self.controller.reboot(&mut *self.observer);
         self.has_restarted();
     }
 
@@ -120,6 +120,11 @@ impl Core {
             wired.thirsty = true;
             wired.retries = retries;
         }
+    }
+
+    /// Whether virtual time follows the clock on the wall.
+    pub(crate) fn keeps_time(&self) -> bool {
+        self.speed != Speed::Max
     }
 
     /// Before a client is heard: if the pace sleeps, virtual time is brought up to date, which costs nothing since nothing went on.

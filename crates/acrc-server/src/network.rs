@@ -162,10 +162,11 @@ impl Network {
                 return self.shared.log(&Event::Unreadable { service, peer, problem: problem.to_string() });
             }
         };
-        match self.shared.subscribers.request(peer, subscription) {
+        let due = self.shared.next_beat();
+        match self.shared.subscribers.request(peer, subscription, due) {
             Outcome::New => match listeners.connect_status(sender) {
                 Ok((sends, hears)) => {
-                    let subscribed = self.shared.subscribers.add(peer, subscription, sends);
+                    let subscribed = self.shared.subscribers.add(peer, subscription, due, sends);
                     self.welcome(service, peer, None);
                     tokio::spawn(hear_subscriber(Arc::clone(&self.shared), peer, hears, subscribed));
                 }
@@ -228,7 +229,7 @@ async fn hear_subscriber(
         let ended = match received.map(|count| Subscription::decode(request.get(..count).unwrap_or_default())) {
             Ok(Ok(subscription)) if subscription.is_end() => Reason::Left,
             Ok(Ok(subscription)) => {
-                shared.subscribers.request(peer, subscription);
+                shared.subscribers.request(peer, subscription, shared.next_beat());
                 shared.bell.ring();
                 continue;
             }

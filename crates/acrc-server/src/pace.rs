@@ -26,25 +26,30 @@ pub(crate) fn run(shared: &Arc<Shared>) -> Pace {
     let mut pace = Pace::default();
     // The instant for which it sleeps, while something goes on.
     let mut planned: Option<Instant> = None;
-    shared.core().power_up();
     while !shared.bell.has_ended() {
         let now = Instant::now();
         let mut core = shared.core();
         let next = core.pass(now);
-        let status = shared.subscribers.is_due(now).then(|| crate::status::contents(&core.controller));
+        let status = shared.subscribers.is_due(now).then(|| crate::status::contents(&mut core.controller));
         let beat = core.beat_after(now);
         core.asleep = next.is_far(beat);
+        let keeps_time = core.keeps_time();
+        let alarms = core.controller.take_alarms();
         let restarted = core.has_restarted();
         MutexGuard::unlock_fair(core);
         if restarted {
             shared.enter(Phase::Restarted);
+        }
+        for alarm in alarms {
+            // Without management connections nobody gets it.
+            let _ = shared.alarms.send(alarm.into());
         }
         if let Some(status) = status {
             shared.subscribers.send(&status);
         }
         if next == Next::Now {
             // Behind: what is missed is counted when it is made up for.
-            planned = planned.or(Some(now));
+            planned = planned.or(Some(now)).filter(|_| keeps_time);
             continue;
         }
         if let Some(planned) = planned.take() {
@@ -54,14 +59,9 @@ pub(crate) fn run(shared: &Arc<Shared>) -> Pace {
             Next::At(instant) => Some(instant),
             Next::Now | Next::Never => None,
         };
-        if wakes == Some(beat) {
-            planned = wakes;
-        }
         let sends = shared.subscribers.next_due();
         let until = [wakes, sends].into_iter().flatten().min();
-        if until != planned {
-            planned = None;
-        }
+        planned = until.filter(|_| keeps_time && wakes == Some(beat) && until == wakes);
         shared.bell.sleep_until(until);
     }
     pace

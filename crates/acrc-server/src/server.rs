@@ -51,7 +51,9 @@ impl Server {
         let bound = Bound::bind(address, ports)?;
         let ports = bound.ports()?;
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
-        let shared = Shared::new(Core::new(controller, observer, speed), streams, Settings { wire, patience, log });
+        let mut core = Core::new(controller, observer, speed);
+        core.power_up();
+        let shared = Shared::new(core, streams, Settings { wire, patience, log });
         let paced = Arc::clone(&shared);
         let pace = Builder::new().name("acrc pace".to_owned()).spawn(move || pace::run(&paced))?;
         let network = Network::new(Arc::clone(&shared), address, ports);
@@ -114,6 +116,11 @@ impl Handle {
     /// Tells the server to stop.
     pub fn shutdown(&self) {
         self.shared.enter(Phase::Stopping);
+    }
+
+    /// Looks at the controller, which stands still meanwhile.
+    pub fn look<T>(&self, look: impl FnOnce(&Controller) -> T) -> T {
+        look(&self.shared.core().controller)
     }
 
     /// What the server has done so far, but for the slip of its time.

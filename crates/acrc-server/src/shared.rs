@@ -90,6 +90,11 @@ impl Shared {
         }
     }
 
+    /// The next instant at which the pace looks at the controller: datagrams that are sent then cost it no waking of their own.
+    pub(crate) fn next_beat(&self) -> Instant {
+        self.core().beat_after(Instant::now())
+    }
+
     pub(crate) fn log(&self, event: &Event) {
         (self.log)(event);
     }

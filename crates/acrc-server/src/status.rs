@@ -7,6 +7,7 @@ use std::net::{SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
 
 use acrc_controller::Controller;
+use acrc_wire::Field;
 use acrc_wire::ethernet::{FAST_STATUS_CLIENTS, FastStatus, Subscription};
 use parking_lot::Mutex;
 use tokio::sync::oneshot;
@@ -57,8 +58,8 @@ pub(crate) enum Outcome {
 }
 
 impl Subscribers {
-    /// Takes a request of a client that may be known.
-    pub(crate) fn request(&self, peer: SocketAddr, subscription: Subscription) -> Outcome {
+    /// Takes a request of a client that may be known, and that gets its next datagram at `due`.
+    pub(crate) fn request(&self, peer: SocketAddr, subscription: Subscription, due: Instant) -> Outcome {
         let mut inner = self.0.lock();
         if subscription.is_end() {
             let before = inner.list.len();
@@ -69,7 +70,7 @@ impl Subscribers {
         match inner.list.iter_mut().find(|subscriber| subscriber.peer == peer) {
             Some(subscriber) => {
                 subscriber.interval = interval(subscription);
-                subscriber.due = Instant::now();
+                subscriber.due = due;
                 Outcome::Changed
             }
             None if full => Outcome::Full,
@@ -78,9 +79,15 @@ impl Subscribers {
     }
 
     /// Takes a client in that is new. What is given ends with the subscription.
-    pub(crate) fn add(&self, peer: SocketAddr, subscription: Subscription, socket: UdpSocket) -> oneshot::Receiver<()> {
+    pub(crate) fn add(
+        &self,
+        peer: SocketAddr,
+        subscription: Subscription,
+        due: Instant,
+        socket: UdpSocket,
+    ) -> oneshot::Receiver<()> {
         let (sender, receiver) = oneshot::channel();
-        let (interval, due) = (interval(subscription), Instant::now());
+        let interval = interval(subscription);
         self.0.lock().list.push(Subscriber { peer, socket, interval, due, _subscribed: sender });
         receiver
     }
@@ -92,7 +99,7 @@ impl Subscribers {
 
     /// Takes a client out. False when it was not in.
     pub(crate) fn remove(&self, peer: SocketAddr) -> bool {
-        self.request(peer, Subscription::end()) == Outcome::Ended { known: true }
+        self.request(peer, Subscription::end(), Instant::now()) == Outcome::Ended { known: true }
     }
 
     /// Takes all clients out, and gives their addresses.
@@ -136,6 +143,6 @@ fn interval(subscription: Subscription) -> Duration {
 }
 
 /// What is sent now.
-pub(crate) fn contents(_: &Controller) -> FastStatus {
-    FastStatus::default()
+pub(crate) fn contents(controller: &mut Controller) -> FastStatus {
+    FastStatus(controller.fast_status().map(|group| group.map(Field)))
 }

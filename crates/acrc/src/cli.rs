@@ -9,6 +9,7 @@ mod repl;
 mod serve;
 mod term;
 mod transfer;
+mod wire;
 
 use std::path::PathBuf;
 

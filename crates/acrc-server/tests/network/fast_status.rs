@@ -42,6 +42,17 @@ fn status_comes_at_its_interval_until_it_is_ended() {
 }
 
 #[test]
+fn status_has_what_the_commands_choose() {
+    let bench = Bench::new();
+    let mut client = bench.terminal();
+    // Group 0x30 has the parameters of axes; index 0 is the first one.
+    client.ask("FSTAT0 (48, 0)");
+    client.ask("P12544=1234");
+    let socket = subscribe(&bench, 1);
+    eventually(|| (receive(&socket).0[0][1].long() == 1234).then_some(()));
+}
+
+#[test]
 fn another_request_changes_the_interval() {
     let bench = Bench::new();
     let socket = subscribe(&bench, 3_600_000);

@@ -3,6 +3,7 @@
 use std::net::{Ipv4Addr, SocketAddr};
 use std::time::Duration;
 
+use acrc_controller::AlarmKind;
 use acrc_server::Service;
 use acrc_wire::ethernet::management::{DownloadResult, Reply, Request, replies};
 use acrc_wire::ethernet::{FILE_LEN, MANAGEMENT_CLIENTS, Subscription, Watchdog, is_intact, seal};
@@ -171,6 +172,26 @@ fn a_reboot_outside_of_a_download_ends_all_connections() {
     assert!(manager.has_ended());
     drop((command, manager));
     assert_eq!(bench.terminal().ask(""), "\r\nSYS>");
+}
+
+#[test]
+fn alarms_go_to_those_whose_filter_lets_them_pass() {
+    let bench = Bench::new();
+    let mut command = bench.terminal();
+    let mut all = bench.connect(Service::Management);
+    let mut others = bench.connect(Service::Management);
+    let kill = AlarmKind::MotionKilled.code();
+    send(&mut all, Request::ControllerAlarms { filter: u32::MAX });
+    send(&mut others, Request::ControllerAlarms { filter: !kill });
+    for client in [&mut all, &mut others] {
+        // What was sent before is taken when this is answered.
+        send(client, Request::ConfigurationFile);
+        client.exactly(1028);
+    }
+    command.ask("SET 8467");
+    let expected: Vec<u8> = [3, kill, 0, 1].into_iter().flat_map(u32::to_be_bytes).collect();
+    assert_eq!(all.exactly(16), expected);
+    assert!(others.is_quiet(Duration::from_millis(100)));
 }
 
 #[test]

@@ -4,10 +4,12 @@ use std::net::IpAddr;
 use std::path::PathBuf;
 
 use acrc_server::Ports;
+use acrc_wire::WireOptions;
 use clap::Args;
 
 use super::Speed;
 use super::repl::{parse_model, parse_speed};
+use super::wire::parse_wire;
 
 /// `acrc serve`
 #[derive(Args, Debug)]
@@ -26,6 +28,7 @@ use super::repl::{parse_model, parse_speed};
                         Ctrl-C closes all connections and ends; what the controller keeps without power goes to --state.\n\
                         docs/serve.md has more.\n\n\
                         Exit status: 0 ended by SIGTERM, 1 the project does not compile, 2 could not run, 130 ended by Ctrl-C.")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct ServeArguments {
     /// The project
     pub(crate) project: Option<PathBuf>,
@@ -54,6 +57,12 @@ pub(crate) struct ServeArguments {
     /// Seed of the random numbers of RND
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
+    /// Other readings of the documents about the wire, such as crc=high-bit-first (docs/serve.md)
+    #[arg(long, value_name = "KEY=VALUE,...", default_value = "", hide_default_value = true, value_parser = parse_wire)]
+    pub(crate) wire: WireOptions,
+    /// The user parameter whose changes are user alarms on port 5004, which no document names
+    #[arg(long, value_name = "PARAMETER", value_parser = parse_parameter)]
+    pub(crate) user_alarm: Option<u32>,
     /// Tell on standard error who connects and who leaves
     #[arg(short, long)]
     pub(crate) verbose: bool,
@@ -78,6 +87,11 @@ fn parse_ports(text: &str) -> Result<Ports, String> {
         }
         _ => Err("write four ports from 0 to 65535, as 5002,5003,5004,5006".to_owned()),
     }
+}
+
+fn parse_parameter(text: &str) -> Result<u32, String> {
+    let digits = text.strip_prefix(['P', 'p']).unwrap_or(text);
+    digits.parse().map_err(|_| "write a parameter, as P100".to_owned())
 }
 
 fn parse_pace(text: &str) -> Result<Speed, String> {

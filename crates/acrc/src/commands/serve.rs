@@ -54,9 +54,9 @@ pub(super) fn run(arguments: &ServeArguments, color: ColorChoice) -> anyhow::Res
         world: arguments.world.as_deref(),
         battery: !arguments.no_battery,
         seed: arguments.seed,
+        user_alarm: arguments.user_alarm,
     };
     let Some((name, controller)) = power_up(&wanted, state.as_ref(), color)? else { return Ok(Exit::Findings) };
-    let title = format!("{} (virtual), {name}: {}", controller.model().name, describe_programs(&controller));
     let (sender, messages) = sync_channel(WAITING);
     let stop = sender.clone();
     ctrlc::set_handler(move || {
@@ -66,9 +66,8 @@ pub(super) fn run(arguments: &ServeArguments, color: ColorChoice) -> anyhow::Res
         }
     })
     .context("cannot watch for Ctrl-C")?;
-    let model = controller.model().name;
     let server = start(arguments, controller, &sender)?;
-    announce(arguments, &server, (&title, model, &name), Terminal::error(color))?;
+    announce(arguments, &server, &name, Terminal::error(color))?;
     let handle = server.handle();
     std::thread::spawn(move || {
         let finished = Message::Finished(Box::new(server.wait()));
@@ -86,6 +85,7 @@ fn start(arguments: &ServeArguments, controller: Controller, sender: &SyncSender
             Speed::Factor(factor) => acrc_server::Speed::Factor(factor),
             Speed::Max => acrc_server::Speed::Max,
         },
+        wire: arguments.wire,
         log: Box::new(move |event| drop(log.try_send(Message::Event(event.clone())))),
         ..Config::new(Teller(sender.clone()))
     };
@@ -93,12 +93,8 @@ fn start(arguments: &ServeArguments, controller: Controller, sender: &SyncSender
 }
 
 /// Says where the server listens, and to whom.
-fn announce(
-    arguments: &ServeArguments,
-    server: &Server,
-    (title, model, project): (&str, &str, &str),
-    terminal: Terminal,
-) -> anyhow::Result<()> {
+fn announce(arguments: &ServeArguments, server: &Server, project: &str, terminal: Terminal) -> anyhow::Result<()> {
+    let (model, programs) = server.handle().look(|controller| (controller.model().name, describe_programs(controller)));
     let streams: Vec<String> = server.streams().iter().map(ToString::to_string).collect();
     let ports = SERVICES.map(|(service, port)| (port.to_string(), server.address(service).port()));
     print(|out| {
@@ -112,7 +108,7 @@ fn announce(
             return writeln!(out, "{line}");
         }
         let ports = ports.map(|(name, port)| format!("{name}={port}")).join(" ");
-        writeln!(out, "{title}")?;
+        writeln!(out, "{model} (virtual), {project}: {programs}")?;
         writeln!(out, "listening at {}: {ports}", arguments.bind)?;
         writeln!(out, "{} for the clients of {ASCII_PORT} and {MIXED_PORT}; Ctrl-C ends", streams.join(", "))
     })?;

@@ -31,6 +31,7 @@ pub(super) fn run(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Resu
         world: arguments.world.as_deref(),
         battery: !arguments.no_battery,
         seed: arguments.seed,
+        user_alarm: None,
     };
     let Some((name, mut controller)) = power_up(&wanted, state.as_ref(), color)? else { return Ok(Exit::Findings) };
     let first = || controller.model().streams.first().and_then(|name| name.parse().ok());
