@@ -215,6 +215,8 @@ fn period(context: &mut Context, call: &Call) -> Result<Outcome, ControllerError
                 problem: format!("a servo period of {seconds} seconds is not possible"),
             });
         }
+        // A download sets what the one before it has set.
+        Some(seconds) if seconds.to_bits() == context.machine.clock.period().to_bits() => {}
         Some(seconds) if context.machine.clock.ticks() == 0 => context.machine.clock.set_period(seconds),
         Some(_) => {
             let problem = "the servo period can only be set before time begins".to_owned();
