@@ -218,9 +218,15 @@ impl<'a> Builder<'a> {
             self.goto(level_of(unit));
             self.own("NEW", Deed::Erase(vec![unit]));
         }
-        for level in &demand.attaches {
-            self.goto(*level);
-            self.own("DETACH", Deed::Nothing);
+        if demand.shares_memory() && !demand.attaches.is_empty() {
+            // What a project before this one has attached elsewhere goes as well.
+            self.goto(Level::System);
+            self.own("DETACH ALL", Deed::Nothing);
+        } else {
+            for level in &demand.attaches {
+                self.goto(*level);
+                self.own("DETACH", Deed::Nothing);
+            }
         }
         for level in &demand.dims_locals {
             self.goto(*level);

@@ -175,3 +175,25 @@ fn a_folder_of_files_is_sent_in_its_order() {
     let (_, notes) = bring(&machine, &script);
     insta::assert_snapshot!(notes.sent.join(" | "));
 }
+
+#[test]
+fn what_an_earlier_project_has_attached_elsewhere_is_detached() {
+    let attached = |program: u8| {
+        format!(
+            "SYS\nCLEAR\nDIM PROG0(500)\nPROG{program}\nATTACH MASTER0\nATTACH SLAVE0 AXIS0 \"X\"\nPROG0\nPROGRAM\nDWL 1\nENDP\n"
+        )
+    };
+    let machine = Machine::new();
+    bring(&machine, &script(&project(&attached(5))));
+    let (_, notes) = bring(&machine, &script(&project(&attached(0))));
+    assert!(!notes.sent.contains(&"PROGRAM".to_owned()), "{:?}", notes.sent);
+    assert_eq!(look(&machine).attachments.keys().collect::<Vec<_>>(), [&UnitName::Program(0)]);
+}
+
+#[test]
+fn a_servo_period_can_be_sent_again() {
+    let script = script(&project("SYS\nPERIOD 0.0005\nCLEAR\nDIM PROG0(500)\nPROG0\nPROGRAM\nDWL 1\nENDP\n"));
+    let machine = Machine::new();
+    bring(&machine, &script);
+    bring(&machine, &script);
+}
