@@ -243,6 +243,27 @@ pub(super) fn unsendable(place: Place, statement: &Statement) -> Option<Problem>
     Some(Problem::new(codes::NOT_SENDABLE, place, message, "not sent").with_help(*help))
 }
 
+/// A block that begins on a line and does not end there: what is typed is executed line by line.
+pub(super) fn open_block(place: Place, statements: &[Statement]) -> Option<Problem> {
+    let mut open: Vec<&Statement> = Vec::new();
+    for statement in statements {
+        match &statement.kind {
+            StatementKind::If(condition) if condition.then.is_none() => open.push(statement),
+            StatementKind::For(_) => open.push(statement),
+            StatementKind::Command(command) => match command.id {
+                command::WHILE => open.push(statement),
+                command::ENDIF | command::NEXT | command::WEND => _ = open.pop(),
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    let place = Place { span: open.first()?.span, ..place };
+    let message = "a block over several lines cannot be typed: each line is executed by itself";
+    let help = "write it on one line, or into a program";
+    Some(Problem::new(codes::NOT_SENDABLE, place, message, "does not end on this line").with_help(help))
+}
+
 /// The prompt behind a statement.
 pub(super) fn level_behind(level: Level, statement: &Statement) -> Level {
     let StatementKind::Command(command) = &statement.kind else { return level };

@@ -20,8 +20,9 @@ pub mod codes {
         (
             NOT_SENDABLE,
             "A line that `acrc download` cannot send: one that is longer than a controller takes, one that never gives\n\
-             the prompt back (LRUN, LISTEN, TALK TO), one that ends the connection (REBOOT), or a NEW, CLEAR or DIM behind\n\
-             a condition, so that nobody can tell before what it will erase. Nothing is sent then.\n",
+             the prompt back (LRUN, LISTEN, TALK TO), one that ends the connection (REBOOT), one that begins a block outside\n\
+             of a program which does not end there, or a NEW, CLEAR or DIM behind a condition, so that nobody can tell\n\
+             before what it will erase. Nothing is sent then.\n",
         ),
         (
             REFUSED,

@@ -257,6 +257,7 @@ impl Writer<'_> {
             for statement in statements {
                 self.problems.extend(super::immediate::unsendable(place, statement));
             }
+            self.problems.extend(super::immediate::open_block(place, statements));
             let traits = Traits::of(source.text, statements, self.level, self.image);
             let behind = statements.iter().fold(self.level, level_behind);
             let text = typed_text(source.text.get(span.range()).unwrap_or_default());

@@ -91,13 +91,18 @@ fn a_protected_controller_stops_it() {
 
 #[test]
 fn what_cannot_be_sent_is_said_before() {
-    let project = project(&format!("SYS\nLRUN PROG0\nREBOOT\nPRINT \"{}\"\n", "x".repeat(1100)));
+    let project = project(&format!(
+        "SYS\nLRUN PROG0\nREBOOT\nIF (BIT24)\nSET 32\nENDIF\nIF (BIT24) THEN NEW ALL\nPRINT \"{}\"\n",
+        "x".repeat(1100)
+    ));
     let image = project.compile().expect("it compiles");
     let problems = Script::of(&project, image).expect_err("it cannot be sent");
     let texts: Vec<&str> = problems.iter().map(|problem| problem.diagnostic.message.as_str()).collect();
     insta::assert_snapshot!(texts.join("\n"), @"
     LRUN cannot be sent: it shows the output of a program and gives the prompt back only at ESC
     REBOOT cannot be sent: it restarts the controller in the middle of the download
+    a block over several lines cannot be typed: each line is executed by itself
+    what this erases cannot be told before the download, since a condition stands before it
     the line has 1108 characters, and a controller takes 1024
     ");
 }
