@@ -27,6 +27,7 @@ const OBJECT = words(data.objects);
 const AXIS_OBJECT = one('AXIS');
 const SOURCE = words(data.objects.filter(word => word !== 'AXIS'));
 const PREFIX = words(data.commands.filter(row => row.shape === 'Object').map(row => row.word));
+const LONE = words(data.commands.filter(row => row.shape === 'Object' && !row.required).map(row => row.word));
 const ARGUMENT_WORD = words(
   data.keywords.filter(word => !commandNames.has(word) && !['AS', 'USING', 'TO', 'THEN', 'ON', 'OFF'].includes(word)),
 );
@@ -63,15 +64,15 @@ function shapes($) {
     Index: both($._value),
     Clear: both($._value),
     Values: both($._values),
-    String: both(choice($._constant, $.argument_word)),
+    String: both(choice($._constant, $.tuple, $.argument_word)),
     Source: word => [...both($._value)(word), prec(1, seq(word, choice($.object, $.argument_word)))],
     Axes: axes,
     AxisValues: axisValues,
-    AxisSources: axisValues,
+    AxisSources: word => [...axisValues(word), prec(1, seq(word, alias($._source, $.object)))],
     Move: always($._axis_arguments),
     Bit: both($.flag),
     BitMove: word => [...both($.flag)(word), prec(1, seq(word, $.flag, $._axis_arguments))],
-    ParameterTuple: word => [...both($._value)(word), seq(word, $._value, $._group)],
+    ParameterTuple: word => [...both($._parameter)(word), seq(word, $._parameter, $._group)],
     Programs: objects,
     Masters: objects,
     Attach: objects,
@@ -113,8 +114,9 @@ module.exports = grammar({
     [$.axis],
     [$._axis_by_number],
     [$._prefix, $._axis_object],
+    [$._prefix, $._lone_object],
     [$.move, $._axis_arguments],
-    ...[$.command, $.object_command].flatMap(command => [
+    ...[$.command, $._behind_object].flatMap(command => [
       [command],
       ...[$._axes, $._axis_arguments, $._arguments, $._objects, $._value_arguments, $._values].map(list => [command, list]),
     ]),
@@ -247,7 +249,10 @@ module.exports = grammar({
 
     dim: $ => prec.right(seq(
       alias(WORD.DIM($), 'DIM'),
-      optional(seq(field('kind', alias(MEMORY($), $.daughter)), repeat($.number), optional($._group))),
+      optional(choice(
+        seq(field('kind', alias(MEMORY($), $.daughter)), repeat($.number), optional($._group)),
+        $._daughter_may_follow,
+      )),
     )),
 
     move: $ => prec(1, $._axis_arguments),
@@ -256,9 +261,12 @@ module.exports = grammar({
 
     command: $ => choice(...commands.plain.map(entry => commands.rule($, entry, shapes($)))),
 
-    object_command: $ => prec.dynamic(1, seq(
+    object_command: $ => choice($._behind_object, field('object', alias($._lone_object, $.object))),
+    _lone_object: $ => prec.right(seq(alias(LONE($), $.keyword), optional(alias($._integer, $.number)))),
+    _behind_object: $ => prec.dynamic(1, seq(
       field('object', alias($._prefix, $.object)),
-      choice(...commands.behindObject.map(entry => commands.rule($, entry, shapes($))), $._group, $._object_pair),
+      choice(...commands.behindObject.map(entry => commands.rule($, entry, shapes($))), $._group, $.unary_expression, $.parameter, $._object_pair,
+        $._daughter_may_follow),
     )),
     // `CMT0 ENC0 ENC1`
     _object_pair: $ => prec.dynamic(-2, prec.right(repeat1(alias($._numbered, $.object)))),
@@ -296,11 +304,13 @@ module.exports = grammar({
     _lone_value: $ => choice($._constant, $.tuple, alias($._long, $.name)),
 
     _objects: $ => choice(
-      choice($.object, $.argument_word, $._constant),
-      prec(2, seq($._objects, choice($.argument_word, $.string))),
+      choice($.object, $.argument_word, $._constant, $.tuple),
+      prec(2, seq($._objects, $.argument_word)),
+      prec(1, seq($._objects, choice($._constant, $.tuple))),
       prec(1, seq($._objects, alias($._numbered, $.object))),
     ),
 
+    _parameter: $ => choice($._constant, alias($._flag, $.name)),
     flag: $ => seq(
       optional(choice('+', $._minus)),
       choice($.number, $.parameter, $.bit, $.variable, $.call, $._group, alias($._flag, $.name)),
@@ -308,14 +318,16 @@ module.exports = grammar({
 
     _arguments: $ => choice(
       $._argument,
-      prec(2, seq($._arguments, optional(','), choice($._lone_value, $.axis, $.argument_word))),
+      prec(2, seq($._arguments, optional(','), choice(alias($._long, $.name), $.axis, $.argument_word))),
+      seq($._arguments, optional(','), choice($._constant, $.tuple)),
       seq($._arguments, alias($._numbered, $.object)),
     ),
-    _argument: $ => choice($._lone_value, $.axis, $.argument_word, alias($._axis_by_number, $.axis)),
+    _argument: $ => choice($._lone_value, $.axis, $.argument_word, alias($._axis_by_number, $.axis), alias($._source, $.object)),
 
     _value_arguments: $ => choice(
       choice($._value, $.argument_word, $.object),
-      prec(2, seq($._value_arguments, optional(','), choice($._value, $.argument_word))),
+      prec(2, seq($._value_arguments, optional(','), choice($.name, $.argument_word))),
+      seq($._value_arguments, optional(','), choice($._constant, $.tuple)),
       seq($._value_arguments, alias($._numbered, $.object)),
     ),
 

@@ -27,12 +27,12 @@ function group(rows) {
     const daughters = group(row.daughters.filter(daughter => !isObject(daughter)));
     const shape = row.shape === 'Free' && !row.axes ? 'FreeValues' : row.shape;
     const alone = shape !== 'Parent' && !row.required;
-    const key = JSON.stringify([shape, alone, daughters.map(daughter => daughter.key)]);
+    const key = JSON.stringify([shape, alone, row.numbered, daughters.map(daughter => daughter.key)]);
     const known = groups.get(key);
     if (known) {
       known.list.push(row.word);
     } else {
-      groups.set(key, { shape, alone, daughters, list: [row.word], key: null });
+      groups.set(key, { shape, alone, numbered: row.numbered, daughters, list: [row.word] });
     }
   }
   return [...groups].map(([key, entry]) => ({ ...entry, key: `${entry.list.join()} ${key}`, words: words(entry.list) }));
@@ -69,9 +69,13 @@ const isPlain = row => !SPECIAL.has(row.shape) && !BLOCKS.has(row.word);
  *
  * @param name what a word is in the tree
  */
-function rule($, entry, shapes, name = $.keyword) {
-  const word = alias(entry.words($), name);
-  const choices = entry.daughters.map(daughter => seq(word, rule($, daughter, shapes, $.daughter)));
+function rule($, entry, shapes, name = $.keyword, depth = 1) {
+  const plain = alias(entry.words($), name);
+  const word = entry.numbered ? seq(plain, alias($._integer, $.number)) : plain;
+  // Where a daughter is a command, too, it is the daughter.
+  const choices = entry.daughters.map(daughter => 
+    prec.dynamic(depth, seq(word, rule($, daughter, shapes, $.daughter, depth + 1))),
+  );
   if (entry.alone) {
     choices.push(...(shapes[entry.shape]?.(word) ?? [word]));
     if (entry.daughters.length > 0) choices.push(seq(word, $._daughter_may_follow));

@@ -56,7 +56,18 @@ fn lists() -> BTreeMap<&'static str, String> {
         Operator::ALL.iter().map(|operator| operator.name()).chain(unary).filter(|word| words::is_letters(word))
     };
     let is_operator = |word: &&str| operators().any(|operator| operator == *word);
-    let takes_flag = |row: &&Command| matches!(row.shape, Shape::Bit | Shape::BitMove);
+    let takes_name = |row: &&Command| {
+        matches!(
+            row.shape,
+            Shape::Bit
+                | Shape::BitMove
+                | Shape::ParameterTuple
+                | Shape::Print
+                | Shape::Input
+                | Shape::Condition
+                | Shape::If
+        )
+    };
     let others = commands().filter(|row| !is_control(row)).map(|row| row.name);
     let functions =
         |is_string: bool| all_functions().map(|row| row.name).filter(move |name| name.ends_with('$') == is_string);
@@ -72,7 +83,7 @@ fn lists() -> BTreeMap<&'static str, String> {
         ("jumps", alternatives(commands().filter(|row| row.shape == Shape::Target).map(|row| row.name))),
         ("operator_words", alternatives(operators())),
         ("logic", alternatives(commands().map(|row| row.name).filter(is_operator).chain([command::LD.info().name]))),
-        ("flag_commands", alternatives(commands().filter(takes_flag).map(|row| row.name))),
+        ("before_name", alternatives(commands().filter(takes_name).map(|row| row.name))),
         ("reserved", alternatives(words::reserved().into_iter())),
         ("objects", alternatives(ObjectKind::ALL.iter().map(|kind| kind.name()))),
         ("commands", alternatives(others.filter(|word| !is_operator(word)))),
@@ -95,7 +106,8 @@ fn alternatives<'w>(words: impl Iterator<Item = &'w str>) -> String {
 fn daughters() -> Vec<Value> {
     // What is an operator elsewhere is found at the start of its line.
     let is_operator = |row: &&Command| Operator::from_symbol(row.name).is_some();
-    let parents = words::commands().filter(|row| !row.daughters.is_empty() && !is_operator(row));
+    let parents =
+        words::commands().filter(|row| !row.daughters.is_empty() && row.id != command::ELSE && !is_operator(row));
     parents.map(daughter_pattern).collect()
 }
 

@@ -53,8 +53,10 @@ pub(super) fn json() -> String {
 
 fn command(row: &Command) -> Value {
     let daughters: Vec<Value> = row.daughters.iter().map(|daughter| command(daughter.info())).collect();
+    let word = row.word.trim_end_matches(|last: char| last.is_ascii_digit());
     json!({
-        "word": row.word.trim_end_matches(|last: char| last.is_ascii_digit()),
+        "word": word,
+        "numbered": word != row.word,
         "shape": row.shape.name(),
         "required": row.daughter_required,
         "axes": row.takes_axes,

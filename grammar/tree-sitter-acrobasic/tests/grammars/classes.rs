@@ -7,7 +7,7 @@ use acrc_syntax::Tree;
 use acrc_syntax::ast::{Argument, Axis, Expr, ExprKind, Object, Operand, Statement, StatementKind, Target};
 use acrc_syntax::lexer::{Token, TokenKind};
 
-use crate::programs::{Program, programs};
+use crate::programs::Program;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,11 +59,14 @@ pub(crate) fn of(tree: &Tree) -> Vec<(Span, Class)> {
     found
 }
 
-/// Compares what a grammar says about each byte of the programs with the class that the compiler has for each token.
-pub(crate) fn compare(mut classify: impl FnMut(&str) -> Vec<Option<Class>>) {
+/// Compares what a grammar says about each byte of programs with the class that the compiler has for each token.
+pub(crate) fn compare(
+    programs: impl IntoIterator<Item = Program>,
+    mut classify: impl FnMut(&str) -> Vec<Option<Class>>,
+) {
     let mut wrong = String::new();
     let mut compared = 0;
-    for Program { name, text } in programs() {
+    for Program { name, text } in programs {
         let found = classify(&text);
         let lines = LineIndex::new(&text);
         for (span, class) in of(&acrc_syntax::parse(&text)) {

@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 
 use crate::classes::{self, Class};
-use crate::programs::{Program, parse, programs, visit};
+use crate::programs::{Program, behind_objects, parse, programs, visit};
 use acrc_diagnostics::{LineIndex, Severity};
 use tree_sitter::{Query, QueryCursor, StreamingIterator as _};
 
 #[test]
 fn what_the_compiler_reads_has_no_error() {
     let mut wrong = String::new();
-    for Program { name, text } in programs() {
+    for Program { name, text } in programs().into_iter().chain([behind_objects()]) {
         let lines = LineIndex::new(&text);
         let compiled = acrc_syntax::parse(&text);
         let errors = compiled.errors().iter().filter(|error| error.severity == Severity::Error);
@@ -69,7 +69,7 @@ fn highlights(query: &Query, text: &str) -> Vec<Option<Class>> {
 fn highlights_are_the_classes_of_the_compiler() {
     let language = tree_sitter_acrobasic::LANGUAGE.into();
     let query = Query::new(&language, tree_sitter_acrobasic::HIGHLIGHTS_QUERY).expect("the query fits the grammar");
-    classes::compare(|text| highlights(&query, text));
+    classes::compare(programs().into_iter().chain([behind_objects()]), |text| highlights(&query, text));
 }
 
 #[test]
