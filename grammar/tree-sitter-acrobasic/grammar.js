@@ -28,6 +28,9 @@ const AXIS_OBJECT = one('AXIS');
 const SOURCE = words(data.objects.filter(word => word !== 'AXIS'));
 const PREFIX = words(data.commands.filter(row => row.shape === 'Object').map(row => row.word));
 const LONE = words(data.commands.filter(row => row.shape === 'Object' && !row.required).map(row => row.word));
+const PAIRED = words(
+  data.commands.filter(row => row.shape === 'Object' && row.daughters.some(commands.isObject)).map(row => row.word),
+);
 const ARGUMENT_WORD = words(
   data.keywords.filter(word => !commandNames.has(word) && !['AS', 'USING', 'TO', 'THEN', 'ON', 'OFF'].includes(word)),
 );
@@ -261,15 +264,19 @@ module.exports = grammar({
 
     command: $ => choice(...commands.plain.map(entry => commands.rule($, entry, shapes($)))),
 
-    object_command: $ => choice($._behind_object, field('object', alias($._lone_object, $.object))),
+    object_command: $ => choice($._behind_object, $._commutation, field('object', alias($._lone_object, $.object))),
     _lone_object: $ => prec.right(seq(alias(LONE($), $.keyword), optional(alias($._integer, $.number)))),
     _behind_object: $ => prec.dynamic(1, seq(
       field('object', alias($._prefix, $.object)),
-      choice(...commands.behindObject.map(entry => commands.rule($, entry, shapes($))), $._group, $.unary_expression, $.parameter, $._object_pair,
+      choice(...commands.behindObject.map(entry => commands.rule($, entry, shapes($))), $._group, $.unary_expression, $.parameter,
         $._daughter_may_follow),
     )),
-    // `CMT0 ENC0 ENC1`
-    _object_pair: $ => prec.dynamic(-2, prec.right(repeat1(alias($._numbered, $.object)))),
+    // `CMT0 ENC0 ENC1`; in a list of objects it is two of them.
+    _commutation: $ => prec.dynamic(-1, seq(
+      field('object', alias($._commutator, $.object)),
+      prec.right(repeat1(alias($._numbered, $.object))),
+    )),
+    _commutator: $ => prec.right(seq(alias(PAIRED($), $.keyword), optional(alias($._integer, $.number)))),
     _prefix: $ => prec.right(seq(alias(PREFIX($), $.keyword), optional(alias($._integer, $.number)))),
 
     object: $ => prec.right(seq(alias(OBJECT($), $.keyword), optional(alias($._integer, $.number)))),

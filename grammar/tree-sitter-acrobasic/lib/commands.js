@@ -84,6 +84,7 @@ function rule($, entry, shapes, name = $.keyword, depth = 1) {
 }
 
 module.exports = {
+  isObject,
   plain: group(data.commands.filter(isPlain)),
   behindObject: group(behindObject()),
   rule,
