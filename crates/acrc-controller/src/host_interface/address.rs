@@ -51,7 +51,7 @@ impl Area {
     fn start(&self, program: u8, class: OperandClass) -> Option<u32> {
         let kind = self.kinds.iter().position(|kind| *kind == class)? as u32;
         let window = u32::from(program) * self.kinds.len() as u32 + kind;
-        (u32::from(program) < PROGRAMS).then_some(self.first + (window << self.window))
+        (u32::from(program) < PROGRAMS).then(|| self.first + (window << self.window))
     }
 
     /// The program and the kind that an address belongs to, and its place among the words of the kind.
