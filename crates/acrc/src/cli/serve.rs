@@ -27,7 +27,7 @@ use super::wire::parse_wire;
                         acrc serve machine --bind 0.0.0.0         for the whole network: nobody is asked who he is\n\n\
                         Ctrl-C closes all connections and ends; what the controller keeps without power goes to --state.\n\
                         docs/serve.md has more.\n\n\
-                        Exit status: 0 ended by SIGTERM, 1 the project does not compile, 2 could not run, 130 ended by Ctrl-C.")]
+                        Exit status: 1 the project does not compile, 2 could not run, 130 ended by Ctrl-C or SIGTERM.")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct ServeArguments {
     /// The project

@@ -1,6 +1,6 @@
 //! `acrc fmt`: formats programs.
 
-use acrc_analysis::project::{BlockEnds, FileGlobs, FmtConfig, KeywordCase, LoadedProject};
+use acrc_analysis::project::{FileGlobs, LoadedProject};
 use acrc_diagnostics::{Fix, LineIndex, apply, unified_diff};
 use acrc_fmt::renumber::Source;
 use acrc_syntax::SourceText;
@@ -73,7 +73,7 @@ impl Run<'_> {
     /// The formatted texts of a project; `None` for files that are left alone.
     fn format(&self, target: &Target, project: &LoadedProject) -> anyhow::Result<Vec<Option<SourceText>>> {
         let config = &project.config.fmt;
-        let options = options(config);
+        let options = acrc_ide::format_options(config);
         let texts = match self.arguments.renumber {
             Some(numbering) => renumber(project, numbering)?,
             None => project.files.iter().map(|file| file.source.text.clone()).collect(),
@@ -153,25 +153,6 @@ impl Run<'_> {
             (true, true) => Exit::Findings,
             (true, false) => Exit::Clean,
         })
-    }
-}
-
-/// What `[fmt]` asks for.
-fn options(config: &FmtConfig) -> acrc_fmt::Options {
-    let default = acrc_fmt::Options::default();
-    acrc_fmt::Options {
-        keyword_case: config.keyword_case.map_or(default.keyword_case, |case| match case {
-            KeywordCase::Upper => acrc_fmt::KeywordCase::Upper,
-            KeywordCase::Lower => acrc_fmt::KeywordCase::Lower,
-            KeywordCase::Keep => acrc_fmt::KeywordCase::Keep,
-        }),
-        indent: config.indent.unwrap_or(default.indent),
-        block_ends: config.block_ends.map_or(default.block_ends, |place| match place {
-            BlockEnds::Body => acrc_fmt::BlockEnds::Body,
-            BlockEnds::Opener => acrc_fmt::BlockEnds::Opener,
-        }),
-        align_remarks: config.align_remarks.unwrap_or(default.align_remarks),
-        align_tables: config.align_tables.unwrap_or(default.align_tables),
     }
 }
 
