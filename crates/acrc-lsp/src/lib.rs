@@ -10,6 +10,7 @@
 
 mod abilities;
 mod capabilities;
+mod commands;
 mod diagnostics;
 mod features;
 mod lines;
@@ -18,6 +19,7 @@ mod pool;
 mod progress;
 mod queue;
 mod run;
+mod scratch;
 mod server;
 mod settings;
 mod snapshot;

@@ -5,10 +5,8 @@ use std::pin::Pin;
 
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use tower_lsp_server::Client;
-use tower_lsp_server::ls_types::notification::{LogMessage, Notification, PublishDiagnostics, ShowMessage};
-use tower_lsp_server::ls_types::{
-    Diagnostic, LogMessageParams, MessageType, PublishDiagnosticsParams, ShowMessageParams, Uri,
-};
+use tower_lsp_server::ls_types::notification::{LogMessage, Notification, PublishDiagnostics};
+use tower_lsp_server::ls_types::{Diagnostic, LogMessageParams, MessageType, PublishDiagnosticsParams, Uri};
 
 /// Something to say.
 type Saying = Box<dyn FnOnce(Client) -> Pin<Box<dyn Future<Output = ()> + Send>> + Send>;
@@ -49,11 +47,6 @@ impl Outgoing {
     /// Writes a line into the log of the client.
     pub(crate) fn log(&self, typ: MessageType, message: impl Into<String>) {
         self.notify::<LogMessage>(LogMessageParams { typ, message: message.into() });
-    }
-
-    /// Tells the person something.
-    pub(crate) fn show(&self, typ: MessageType, message: impl Into<String>) {
-        self.notify::<ShowMessage>(ShowMessageParams { typ, message: message.into() });
     }
 
     fn say<F: Future<Output = ()> + Send + 'static>(&self, saying: impl FnOnce(Client) -> F + Send + 'static) {

@@ -11,9 +11,11 @@ use tokio::net::TcpListener;
 use tokio::runtime::{Builder, Runtime};
 use tower_lsp_server::LspService;
 
+use crate::commands::Outcomes;
 use crate::outgoing::Outgoing;
 use crate::pool::Pool;
 use crate::queue::{Queue, Task};
+use crate::scratch::Scratch;
 use crate::server::Server;
 use crate::transport;
 use crate::writer::Writer;
@@ -46,15 +48,16 @@ pub fn run_tcp(port: u16, ready: impl FnOnce(u16)) -> io::Result<bool> {
 
 /// Serves one client until it says `exit` or goes away. Has to be called in a runtime of tokio.
 pub async fn serve(input: impl AsyncRead + Unpin, output: impl AsyncWrite + Unpin) -> io::Result<bool> {
+    let scratch = Scratch::default();
     let (queue, tasks) = Queue::new();
     let (outgoing, incoming) = Outgoing::new();
-    let writer = Writer::new(queue.clone(), tasks, outgoing.clone(), Pool::new()?);
+    let writer = Writer::new(queue.clone(), tasks, outgoing.clone(), Pool::new()?, scratch.clone());
     thread::Builder::new().name("acrc-writer".to_owned()).stack_size(8 << 20).spawn(|| writer.run())?;
     let asked_to_end = Arc::new(AtomicBool::new(false));
     let (for_server, asked) = (queue.clone(), Arc::clone(&asked_to_end));
     let (service, socket) = LspService::new(|client| {
-        tokio::spawn(incoming.say_to(client));
-        Server::new(for_server, outgoing, asked)
+        tokio::spawn(incoming.say_to(client.clone()));
+        Server::new(client, for_server, outgoing, Outcomes::new(scratch), asked)
     });
     transport::serve(input, output, service, socket).await;
     queue.send(Task::Stop);

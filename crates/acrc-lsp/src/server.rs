@@ -10,24 +10,30 @@ use tokio::sync::oneshot;
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::{
     CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem, CallHierarchyOutgoingCall,
-    CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, CompletionItem, CompletionParams, CompletionResponse,
-    ConfigurationItem, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, CodeActionParams, CodeActionResponse, CodeLens,
+    CodeLensParams, CompletionItem, CompletionParams, CompletionResponse, ConfigurationItem,
+    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
-    DocumentDiagnosticParams, DocumentDiagnosticReportResult, DocumentHighlight, DocumentHighlightParams,
-    DocumentSymbolParams, DocumentSymbolResponse, FileChangeType, FileEvent, FoldingRange, FoldingRangeParams,
-    GotoDefinitionParams, GotoDefinitionResponse, Hover, HoverParams, InitializeParams, InitializeResult,
-    InitializedParams, Location, ReferenceParams, Registration, SelectionRange, SelectionRangeParams,
-    SemanticTokensDeltaParams, SemanticTokensFullDeltaResult, SemanticTokensParams, SemanticTokensRangeParams,
-    SemanticTokensRangeResult, SemanticTokensResult, SignatureHelp, SignatureHelpParams, WorkspaceDiagnosticParams,
-    WorkspaceDiagnosticReportResult, WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    DocumentDiagnosticParams, DocumentDiagnosticReportResult, DocumentFormattingParams, DocumentHighlight,
+    DocumentHighlightParams, DocumentLink, DocumentLinkParams, DocumentOnTypeFormattingParams,
+    DocumentRangeFormattingParams, DocumentSymbolParams, DocumentSymbolResponse, ExecuteCommandParams, FileChangeType,
+    FileEvent, FoldingRange, FoldingRangeParams, GotoDefinitionParams, GotoDefinitionResponse, Hover, HoverParams,
+    InitializeParams, InitializeResult, InitializedParams, InlayHint, InlayHintParams, InlineValue, InlineValueParams,
+    LSPAny, Location, PrepareRenameResponse, ReferenceParams, Registration, RenameParams, SelectionRange,
+    SelectionRangeParams, SemanticTokensDeltaParams, SemanticTokensFullDeltaResult, SemanticTokensParams,
+    SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult, SignatureHelp, SignatureHelpParams,
+    TextDocumentPositionParams, TextEdit, WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult, WorkspaceEdit,
+    WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 use tower_lsp_server::{Client, LanguageServer};
 
 use crate::abilities::Abilities;
+use crate::commands::{self, Outcomes, Target};
 use crate::features::{self, Tokens};
 use crate::outgoing::Outgoing;
 use crate::queue::{Queue, Task};
 use crate::settings::Settings;
+use crate::snapshot::Snapshot;
 use crate::uri::path_of;
 use crate::workspace::real;
 use crate::{capabilities, diagnostics};
@@ -38,17 +44,33 @@ pub(crate) struct Server {
     outgoing: Outgoing,
     abilities: OnceLock<Abilities>,
     tokens: Tokens,
+    outcomes: Outcomes,
+    client: Client,
     /// The client asked for the end, so that the process ends well.
     pub(crate) asked_to_end: Arc<AtomicBool>,
 }
 
 impl Server {
-    pub(crate) fn new(queue: Queue, outgoing: Outgoing, asked_to_end: Arc<AtomicBool>) -> Self {
-        Self { queue, outgoing, abilities: OnceLock::new(), tokens: Tokens::default(), asked_to_end }
+    pub(crate) fn new(
+        client: Client,
+        queue: Queue,
+        outgoing: Outgoing,
+        outcomes: Outcomes,
+        asked_to_end: Arc<AtomicBool>,
+    ) -> Self {
+        Self { queue, outgoing, abilities: OnceLock::new(), tokens: Tokens::default(), outcomes, client, asked_to_end }
     }
 
     fn abilities(&self) -> Abilities {
         self.abilities.get().copied().unwrap_or_default()
+    }
+
+    /// Queues a question that nothing can be wrong with.
+    fn read<T: Send + 'static>(
+        &self,
+        question: impl FnOnce(&Snapshot) -> T + Send + 'static,
+    ) -> impl Future<Output = Result<T>> + Send {
+        self.queue.ask(move |snapshot| Ok(question(snapshot)))
     }
 
     /// Asks the client for its settings.
@@ -158,7 +180,7 @@ impl LanguageServer for Server {
     }
 
     async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
-        let answer = self.queue.ask(move |snapshot| diagnostics::document(snapshot, &params));
+        let answer = self.read(move |snapshot| diagnostics::document(snapshot, &params));
         answer.await.map_err(diagnostics::overtaken)
     }
 
@@ -177,80 +199,80 @@ impl LanguageServer for Server {
     }
 
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
-        self.queue.ask(move |snapshot| features::hover(snapshot, &params)).await
+        self.read(move |snapshot| features::hover(snapshot, &params)).await
     }
 
     async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
-        self.queue.ask(move |snapshot| features::signature(snapshot, &params)).await
+        self.read(move |snapshot| features::signature(snapshot, &params)).await
     }
 
     async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
-        self.queue.ask(move |snapshot| features::complete(snapshot, &params)).await
+        self.read(move |snapshot| features::complete(snapshot, &params)).await
     }
 
     async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
-        self.queue.ask(move |snapshot| features::definition(snapshot, &params)).await
+        self.read(move |snapshot| features::definition(snapshot, &params)).await
     }
 
     async fn references(&self, params: ReferenceParams) -> Result<Option<Vec<Location>>> {
-        self.queue.ask(move |snapshot| features::references(snapshot, &params)).await
+        self.read(move |snapshot| features::references(snapshot, &params)).await
     }
 
     async fn document_highlight(&self, params: DocumentHighlightParams) -> Result<Option<Vec<DocumentHighlight>>> {
-        self.queue.ask(move |snapshot| features::highlights(snapshot, &params)).await
+        self.read(move |snapshot| features::highlights(snapshot, &params)).await
     }
 
     async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
-        self.queue.ask(move |snapshot| features::of_document(snapshot, &params)).await
+        self.read(move |snapshot| features::of_document(snapshot, &params)).await
     }
 
     async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
-        self.queue.ask(move |snapshot| features::of_workspace(snapshot, &params)).await
+        self.read(move |snapshot| Some(features::of_workspace(snapshot, &params))).await
     }
 
     async fn prepare_call_hierarchy(
         &self,
         params: CallHierarchyPrepareParams,
     ) -> Result<Option<Vec<CallHierarchyItem>>> {
-        self.queue.ask(move |snapshot| features::prepare_calls(snapshot, &params)).await
+        self.read(move |snapshot| features::prepare_calls(snapshot, &params)).await
     }
 
     async fn incoming_calls(
         &self,
         params: CallHierarchyIncomingCallsParams,
     ) -> Result<Option<Vec<CallHierarchyIncomingCall>>> {
-        self.queue.ask(move |snapshot| features::incoming(snapshot, &params)).await
+        self.read(move |snapshot| features::incoming(snapshot, &params)).await
     }
 
     async fn outgoing_calls(
         &self,
         params: CallHierarchyOutgoingCallsParams,
     ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>> {
-        self.queue.ask(move |snapshot| features::outgoing(snapshot, &params)).await
+        self.read(move |snapshot| features::outgoing(snapshot, &params)).await
     }
 
     async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
-        self.queue.ask(move |snapshot| features::folds(snapshot, &params)).await
+        self.read(move |snapshot| features::folds(snapshot, &params)).await
     }
 
     async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
-        self.queue.ask(move |snapshot| features::selections(snapshot, &params)).await
+        self.read(move |snapshot| features::selections(snapshot, &params)).await
     }
 
     async fn semantic_tokens_range(
         &self,
         params: SemanticTokensRangeParams,
     ) -> Result<Option<SemanticTokensRangeResult>> {
-        self.queue.ask(move |snapshot| features::tokens_in_range(snapshot, &params)).await
+        self.read(move |snapshot| features::tokens_in_range(snapshot, &params)).await
     }
 
     async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
-        self.queue.ask(move |snapshot| features::resolve_completion(snapshot, item)).await
+        self.read(move |snapshot| features::resolve_completion(snapshot, item)).await
     }
 
     async fn semantic_tokens_full(&self, params: SemanticTokensParams) -> Result<Option<SemanticTokensResult>> {
         let tokens = self.tokens.clone();
-        self.queue.ask(move |snapshot| tokens.full(snapshot, &params)).await
+        self.read(move |snapshot| tokens.full(snapshot, &params)).await
     }
 
     async fn semantic_tokens_full_delta(
@@ -258,6 +280,55 @@ impl LanguageServer for Server {
         params: SemanticTokensDeltaParams,
     ) -> Result<Option<SemanticTokensFullDeltaResult>> {
         let tokens = self.tokens.clone();
-        self.queue.ask(move |snapshot| tokens.delta(snapshot, &params)).await
+        self.read(move |snapshot| tokens.delta(snapshot, &params)).await
+    }
+
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        self.read(move |snapshot| features::actions(snapshot, &params)).await
+    }
+
+    async fn prepare_rename(&self, params: TextDocumentPositionParams) -> Result<Option<PrepareRenameResponse>> {
+        self.queue.ask(move |snapshot| features::prepare_rename(snapshot, &params)).await
+    }
+
+    async fn rename(&self, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
+        self.queue.ask(move |snapshot| features::rename(snapshot, &params)).await
+    }
+
+    async fn inlay_hint(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
+        self.read(move |snapshot| features::hints(snapshot, &params)).await
+    }
+
+    async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+        let outcomes = self.outcomes.clone();
+        self.read(move |snapshot| features::lenses(snapshot, &params, &outcomes)).await
+    }
+
+    async fn inline_value(&self, params: InlineValueParams) -> Result<Option<Vec<InlineValue>>> {
+        let outcomes = self.outcomes.clone();
+        self.read(move |snapshot| features::values(snapshot, &params, &outcomes)).await
+    }
+
+    async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
+        let target = Arc::new(Target::of(&params)?);
+        let asked = Arc::clone(&target);
+        let plan = self.queue.ask(move |snapshot| asked.plan(snapshot)).await?;
+        commands::execute(self.client.clone(), &self.outcomes, params, &target, plan).await
+    }
+
+    async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        self.read(move |snapshot| features::format(snapshot, &params)).await
+    }
+
+    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        self.read(move |snapshot| features::format_range(snapshot, &params)).await
+    }
+
+    async fn on_type_formatting(&self, params: DocumentOnTypeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        self.read(move |snapshot| features::format_typed(snapshot, &params)).await
+    }
+
+    async fn document_link(&self, params: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {
+        self.read(move |snapshot| features::links(snapshot, &params)).await
     }
 }

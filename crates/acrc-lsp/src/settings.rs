@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 /// The settings. What is missing or not understood is as if it were not set.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct Settings {
     pub(crate) lint: Lint,
@@ -38,12 +38,6 @@ pub(crate) struct InlayHints {
 pub(crate) struct Trace {
     /// How long each answer took is written into the log.
     pub(crate) timing: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { lint: Lint::default(), inlay_hints: InlayHints::default(), trace: Trace::default() }
-    }
 }
 
 impl Default for Lint {

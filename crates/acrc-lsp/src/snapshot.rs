@@ -14,6 +14,7 @@ use tower_lsp_server::ls_types::{Location, TextDocumentPositionParams, Uri};
 
 use crate::abilities::Abilities;
 use crate::lines::Lines;
+use crate::scratch::Scratch;
 use crate::settings::Settings;
 use crate::uri::{path_of, uri_of};
 
@@ -29,6 +30,8 @@ pub(crate) struct Place {
 pub(crate) struct FileTable {
     pub(crate) by_path: BTreeMap<Utf8PathBuf, Place>,
     pub(crate) paths: FxHashMap<SourceFile, Utf8PathBuf>,
+    /// Where projects are: their folders, or their only files.
+    pub(crate) keys: FxHashMap<Project, Utf8PathBuf>,
 }
 
 /// The documents that are open.
@@ -55,6 +58,9 @@ pub(crate) struct Snapshot {
     pub(crate) documents: Arc<Documents>,
     pub(crate) abilities: Abilities,
     pub(crate) settings: Arc<Settings>,
+    pub(crate) scratch: Scratch,
+    /// Texts of open `acrc.toml`s.
+    pub(crate) configs: Arc<BTreeMap<Utf8PathBuf, String>>,
 }
 
 impl Snapshot {

@@ -68,9 +68,8 @@ async fn listen<S: LanguageServer>(
             }
             // A reply that nobody waits for is no harm.
             Ok(Some(Message::Response(reply))) => drop(replies.send(reply).await),
-            Ok(None) => return,
             Err(Malformed::Message(error)) => send(&sender, &Response::from_error(Id::Null, error)),
-            Err(Malformed::Gone) => return,
+            Ok(None) | Err(Malformed::Gone) => return,
         }
     }
 }

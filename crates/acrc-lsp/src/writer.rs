@@ -15,6 +15,7 @@ use crate::outgoing::Outgoing;
 use crate::pool::Pool;
 use crate::progress::Progress;
 use crate::queue::{Queue, Task, Watch, Work};
+use crate::scratch::Scratch;
 use crate::snapshot::Snapshot;
 use crate::workspace::{Changes, Refused, Workspace};
 
@@ -46,14 +47,14 @@ struct Loading {
 }
 
 impl Writer {
-    pub(crate) fn new(queue: Queue, tasks: Receiver<Task>, outgoing: Outgoing, pool: Pool) -> Self {
+    pub(crate) fn new(queue: Queue, tasks: Receiver<Task>, outgoing: Outgoing, pool: Pool, scratch: Scratch) -> Self {
         Self {
             queue,
             tasks,
             publisher: Publisher::new(outgoing.clone()),
             outgoing,
             pool,
-            workspace: Workspace::default(),
+            workspace: Workspace::new(scratch),
             watches: Vec::new(),
             revision: 0,
             untold: Changes::default(),
@@ -104,9 +105,8 @@ impl Writer {
             Task::Found(found) => self.begin_loading(found),
             Task::Load(found) => self.load(&found),
             Task::Ask(work) => self.ask(work),
-            Task::Watch(watch) => self.watch(vec![watch]),
             Task::Wait(watch, revision) if revision == self.revision => self.watches.push(watch),
-            Task::Wait(watch, _) => self.watch(vec![watch]),
+            Task::Watch(watch) | Task::Wait(watch, _) => self.watch(vec![watch]),
             Task::Told(revision) => {
                 if revision == self.revision {
                     self.untold = Changes::default();
@@ -164,7 +164,9 @@ impl Writer {
             all: found.len(),
         });
         // One task each: edits and questions come in between.
-        found.into_iter().for_each(|project| self.queue.send(Task::Load(project)));
+        for project in found {
+            self.queue.send(Task::Load(project));
+        }
     }
 
     fn load(&mut self, found: &camino::Utf8Path) {
@@ -232,10 +234,9 @@ fn ask_again(mut watch: Watch, snapshot: Snapshot, queue: &Queue, revision: u64)
     let asked = snapshot.answer(|snapshot| Ok(watch(snapshot)));
     drop(snapshot);
     match asked {
-        Ok(true) => {}
         Ok(false) => queue.send(Task::Wait(watch, revision)),
         Err(error) if error.code == ErrorCode::ContentModified => queue.send(Task::Watch(watch)),
-        // Who asked finds the question dropped.
-        Err(_) => {}
+        // It is answered; at a mistake of a feature who asked finds the question dropped.
+        Ok(true) | Err(_) => {}
     }
 }

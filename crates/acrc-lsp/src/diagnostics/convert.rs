@@ -8,23 +8,23 @@ use tower_lsp_server::ls_types::{
 };
 
 use super::tags;
-use crate::abilities::Abilities;
 use crate::lines::Lines;
+use crate::snapshot::Snapshot;
 use crate::workspace::Trouble;
 
 /// Who says it.
 const SOURCE: &str = "acrc";
-/// Where the rules are described; each has a heading of its own.
-const RULES_PAGE: &str = "https://acrc.dev/docs/rules.html";
 
 /// A finding for the client.
-pub(super) fn diagnostic(finding: &Finding, lines: &Lines, uri: Option<&Uri>, abilities: Abilities) -> Diagnostic {
+pub(super) fn diagnostic(snapshot: &Snapshot, finding: &Finding, lines: &Lines, uri: Option<&Uri>) -> Diagnostic {
+    let abilities = snapshot.abilities;
+    let page = || snapshot.scratch.rule_page(finding.code.id).map(|href| CodeDescription { href });
     let related = abilities.related_information.then(|| related(finding, lines, uri)).flatten();
     Diagnostic {
         range: lines.range(finding.span),
         severity: Some(severity(finding.severity)),
         code: Some(NumberOrString::String(finding.code.id.to_owned())),
-        code_description: abilities.code_description.then(|| page(finding.code.id)).flatten(),
+        code_description: abilities.code_description.then(page).flatten(),
         source: Some(SOURCE.to_owned()),
         message: message(finding),
         related_information: related,
@@ -67,11 +67,6 @@ fn message(finding: &Finding) -> String {
         }
     }
     message
-}
-
-fn page(code: &str) -> Option<CodeDescription> {
-    let href = format!("{RULES_PAGE}#{}", code.to_ascii_lowercase()).parse().ok()?;
-    Some(CodeDescription { href })
 }
 
 fn related(finding: &Finding, lines: &Lines, uri: Option<&Uri>) -> Option<Vec<DiagnosticRelatedInformation>> {

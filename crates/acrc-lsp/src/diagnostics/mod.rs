@@ -25,5 +25,5 @@ pub(crate) fn of_file(snapshot: &Snapshot, project: Project, file: SourceFile) -
     }
     let lines = snapshot.lines(file);
     let uri = snapshot.uri(file);
-    found.iter().map(|finding| convert::diagnostic(finding, &lines, uri.as_ref(), snapshot.abilities)).collect()
+    found.iter().map(|finding| convert::diagnostic(snapshot, finding, &lines, uri.as_ref())).collect()
 }

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 
 use acrc_analysis::SourceFile;
+use camino::Utf8Path;
 use rustc_hash::FxHasher;
-use tower_lsp_server::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp_server::jsonrpc::{Error, ErrorCode};
 use tower_lsp_server::ls_types::{
     Diagnostic, DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportKind,
     DocumentDiagnosticReportResult, FullDocumentDiagnosticReport, RelatedFullDocumentDiagnosticReport,
@@ -21,16 +22,13 @@ use crate::snapshot::{Place, Snapshot};
 const SERVER_CANCELLED: i64 = -32802;
 
 /// The findings of a file, and of open files that hang on it when the client takes them.
-pub(crate) fn document(
-    snapshot: &Snapshot,
-    params: &DocumentDiagnosticParams,
-) -> Result<DocumentDiagnosticReportResult> {
+pub(crate) fn document(snapshot: &Snapshot, params: &DocumentDiagnosticParams) -> DocumentDiagnosticReportResult {
     let Some(place) = snapshot.place(&params.text_document.uri) else {
-        return Ok(report(full(Vec::new()), None));
+        return report(full(Vec::new()), None);
     };
     let own = one(snapshot, place, params.previous_result_id.as_deref());
     let related = snapshot.abilities.related_documents.then(|| related(snapshot, place)).filter(|all| !all.is_empty());
-    Ok(report(own, related))
+    report(own, related)
 }
 
 /// The findings of all files, as far as the client does not know them; `None` when it knows them all.
@@ -115,7 +113,7 @@ fn one(snapshot: &Snapshot, place: Place, previous: Option<&str>) -> DocumentDia
 /// A name of these findings, which the client gives back when it asks again.
 fn id_of(snapshot: &Snapshot, file: SourceFile, items: &[Diagnostic]) -> String {
     let mut hasher = FxHasher::default();
-    snapshot.path(file).map(|path| path.as_str()).hash(&mut hasher);
+    snapshot.path(file).map(Utf8Path::as_str).hash(&mut hasher);
     // Findings are compared as they are sent.
     serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
     format!("{:016x}", hasher.finish())

@@ -11,33 +11,33 @@ use super::Answer;
 use crate::snapshot::Snapshot;
 
 pub(crate) fn prepare(snapshot: &Snapshot, params: &CallHierarchyPrepareParams) -> Answer<Vec<CallHierarchyItem>> {
-    let Some((position, _)) = snapshot.position(&params.text_document_position_params) else { return Ok(None) };
+    let (position, _) = snapshot.position(&params.text_document_position_params)?;
     let routine = acrc_ide::routine_at(&snapshot.db, position);
-    Ok(routine.and_then(|routine| item(snapshot, routine)).map(|item| vec![item]))
+    routine.and_then(|routine| item(snapshot, routine)).map(|item| vec![item])
 }
 
 pub(crate) fn incoming(
     snapshot: &Snapshot,
     params: &CallHierarchyIncomingCallsParams,
 ) -> Answer<Vec<CallHierarchyIncomingCall>> {
-    let Some(position) = position_of(snapshot, &params.item) else { return Ok(None) };
+    let position = position_of(snapshot, &params.item)?;
     let call = |calls: Calls| {
         let from_ranges = ranges(snapshot, calls.routine.target.file, &calls);
         Some(CallHierarchyIncomingCall { from: item(snapshot, calls.routine)?, from_ranges })
     };
-    Ok(Some(acrc_ide::incoming_calls(&snapshot.db, position).into_iter().filter_map(call).collect()))
+    Some(acrc_ide::incoming_calls(&snapshot.db, position).into_iter().filter_map(call).collect())
 }
 
 pub(crate) fn outgoing(
     snapshot: &Snapshot,
     params: &CallHierarchyOutgoingCallsParams,
 ) -> Answer<Vec<CallHierarchyOutgoingCall>> {
-    let Some(position) = position_of(snapshot, &params.item) else { return Ok(None) };
+    let position = position_of(snapshot, &params.item)?;
     let call = |calls: Calls| {
         let from_ranges = ranges(snapshot, position.file, &calls);
         Some(CallHierarchyOutgoingCall { to: item(snapshot, calls.routine)?, from_ranges })
     };
-    Ok(Some(acrc_ide::outgoing_calls(&snapshot.db, position).into_iter().filter_map(call).collect()))
+    Some(acrc_ide::outgoing_calls(&snapshot.db, position).into_iter().filter_map(call).collect())
 }
 
 fn ranges(snapshot: &Snapshot, file: acrc_analysis::SourceFile, calls: &Calls) -> Vec<Range> {

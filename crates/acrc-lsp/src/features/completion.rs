@@ -2,7 +2,6 @@
 
 use acrc_ide::{Completion, CompletionKind};
 use serde::{Deserialize, Serialize};
-use tower_lsp_server::jsonrpc::Result;
 use tower_lsp_server::ls_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, CompletionTextEdit,
     Documentation, InsertTextFormat, TextDocumentPositionParams, TextEdit,
@@ -18,7 +17,7 @@ struct Origin {
 }
 
 pub(crate) fn complete(snapshot: &Snapshot, params: &CompletionParams) -> Answer<CompletionResponse> {
-    let Some((position, lines)) = snapshot.position(&params.text_document_position) else { return Ok(None) };
+    let (position, lines) = snapshot.position(&params.text_document_position)?;
     let found = acrc_ide::completions(&snapshot.db, position);
     let origin = serde_json::to_value(Origin { at: params.text_document_position.clone() }).ok();
     let usable = found.items.into_iter().filter(|item| !item.snippet || snapshot.abilities.snippets);
@@ -30,7 +29,7 @@ pub(crate) fn complete(snapshot: &Snapshot, params: &CompletionParams) -> Answer
         ..convert(item)
     });
     let items = items.collect();
-    Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: found.incomplete, items })))
+    Some(CompletionResponse::List(CompletionList { is_incomplete: found.incomplete, items }))
 }
 
 fn convert(item: Completion) -> CompletionItem {
@@ -45,16 +44,16 @@ fn convert(item: Completion) -> CompletionItem {
 }
 
 /// Adds its page to an item.
-pub(crate) fn resolve(snapshot: &Snapshot, mut item: CompletionItem) -> Result<CompletionItem> {
+pub(crate) fn resolve(snapshot: &Snapshot, mut item: CompletionItem) -> CompletionItem {
     let origin = item.data.as_ref().and_then(|data| Origin::deserialize(data).ok());
-    let Some((position, _)) = origin.and_then(|origin| snapshot.position(&origin.at)) else { return Ok(item) };
+    let Some((position, _)) = origin.and_then(|origin| snapshot.position(&origin.at)) else { return item };
     let found = acrc_ide::completions(&snapshot.db, position).items;
     let same = found.into_iter().find(|other| other.label == item.label && Some(kind(other.kind)) == item.kind);
     if let Some(entity) = same.and_then(|same| same.entity) {
         let page = acrc_ide::page(&snapshot.db, position, &entity);
         item.documentation = Some(Documentation::MarkupContent(markup(page, snapshot.abilities.completion_markdown)));
     }
-    Ok(item)
+    item
 }
 
 fn kind(kind: CompletionKind) -> CompletionItemKind {

@@ -9,17 +9,17 @@ use super::{Answer, markup};
 use crate::snapshot::Snapshot;
 
 pub(crate) fn hover(snapshot: &Snapshot, params: &HoverParams) -> Answer<Hover> {
-    let Some((position, lines)) = snapshot.position(&params.text_document_position_params) else { return Ok(None) };
+    let (position, lines) = snapshot.position(&params.text_document_position_params)?;
     let found = acrc_ide::hover(&snapshot.db, position);
-    Ok(found.map(|found| Hover {
+    found.map(|found| Hover {
         contents: HoverContents::Markup(markup(found.markdown, snapshot.abilities.hover_markdown)),
         range: Some(lines.range(found.span)),
-    }))
+    })
 }
 
 pub(crate) fn signature(snapshot: &Snapshot, params: &SignatureHelpParams) -> Answer<SignatureHelp> {
-    let Some((position, _)) = snapshot.position(&params.text_document_position_params) else { return Ok(None) };
-    let Some(help) = acrc_ide::signature_help(&snapshot.db, position.file, position.offset) else { return Ok(None) };
+    let (position, _) = snapshot.position(&params.text_document_position_params)?;
+    let help = acrc_ide::signature_help(&snapshot.db, position.file, position.offset)?;
     let shows_markdown = snapshot.abilities.signature_markdown;
     let documentation =
         |text: String| (!text.is_empty()).then(|| Documentation::MarkupContent(markup(text, shows_markdown)));
@@ -38,5 +38,5 @@ pub(crate) fn signature(snapshot: &Snapshot, params: &SignatureHelpParams) -> An
         documentation: documentation(help.summary.clone()),
         active_parameter: help.active,
     };
-    Ok(Some(SignatureHelp { signatures: vec![signature], active_signature: Some(0), active_parameter: help.active }))
+    Some(SignatureHelp { signatures: vec![signature], active_signature: Some(0), active_parameter: help.active })
 }

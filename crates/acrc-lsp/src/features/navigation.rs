@@ -10,11 +10,11 @@ use super::Answer;
 use crate::snapshot::Snapshot;
 
 pub(crate) fn definition(snapshot: &Snapshot, params: &GotoDefinitionParams) -> Answer<GotoDefinitionResponse> {
-    let Some((position, lines)) = snapshot.position(&params.text_document_position_params) else { return Ok(None) };
+    let (position, lines) = snapshot.position(&params.text_document_position_params)?;
     let targets = acrc_ide::definition(&snapshot.db, position);
     if !snapshot.abilities.location_links {
         let locations = targets.iter().filter_map(|target| snapshot.location(target.file, target.name));
-        return Ok(Some(GotoDefinitionResponse::Array(locations.collect())));
+        return Some(GotoDefinitionResponse::Array(locations.collect()));
     }
     let origin = acrc_ide::at(&snapshot.db, position).map(|occurrence| lines.range(occurrence.span));
     let link = |target: &Target| {
@@ -26,17 +26,17 @@ pub(crate) fn definition(snapshot: &Snapshot, params: &GotoDefinitionParams) -> 
             target_selection_range: lines.range(target.name),
         })
     };
-    Ok(Some(GotoDefinitionResponse::Link(targets.iter().filter_map(link).collect())))
+    Some(GotoDefinitionResponse::Link(targets.iter().filter_map(link).collect()))
 }
 
 pub(crate) fn references(snapshot: &Snapshot, params: &ReferenceParams) -> Answer<Vec<Location>> {
-    let Some((position, _)) = snapshot.position(&params.text_document_position) else { return Ok(None) };
+    let (position, _) = snapshot.position(&params.text_document_position)?;
     let found = acrc_ide::references(&snapshot.db, position, params.context.include_declaration);
-    Ok(Some(found.iter().filter_map(|range| snapshot.location(range.file, range.span)).collect()))
+    Some(found.iter().filter_map(|range| snapshot.location(range.file, range.span)).collect())
 }
 
 pub(crate) fn highlights(snapshot: &Snapshot, params: &DocumentHighlightParams) -> Answer<Vec<DocumentHighlight>> {
-    let Some((position, lines)) = snapshot.position(&params.text_document_position_params) else { return Ok(None) };
+    let (position, lines) = snapshot.position(&params.text_document_position_params)?;
     let found = acrc_ide::highlights(&snapshot.db, position).into_iter();
     let highlight = |(span, access)| DocumentHighlight {
         range: lines.range(span),
@@ -46,5 +46,5 @@ pub(crate) fn highlights(snapshot: &Snapshot, params: &DocumentHighlightParams) 
             Access::Write => DocumentHighlightKind::WRITE,
         }),
     };
-    Ok(Some(found.map(highlight).collect()))
+    Some(found.map(highlight).collect())
 }

@@ -10,7 +10,7 @@ use super::Answer;
 use crate::snapshot::Snapshot;
 
 pub(crate) fn folds(snapshot: &Snapshot, params: &FoldingRangeParams) -> Answer<Vec<FoldingRange>> {
-    let Some(place) = snapshot.place(&params.text_document.uri) else { return Ok(None) };
+    let place = snapshot.place(&params.text_document.uri)?;
     let lines = snapshot.lines(place.file);
     let whole_lines = snapshot.abilities.folds_lines_only;
     let folds = acrc_ide::folds(&snapshot.db, place.file).into_iter().map(|fold| {
@@ -29,11 +29,11 @@ pub(crate) fn folds(snapshot: &Snapshot, params: &FoldingRangeParams) -> Answer<
             collapsed_text: None,
         }
     });
-    Ok(Some(folds.collect()))
+    Some(folds.collect())
 }
 
 pub(crate) fn selections(snapshot: &Snapshot, params: &SelectionRangeParams) -> Answer<Vec<SelectionRange>> {
-    let Some(place) = snapshot.place(&params.text_document.uri) else { return Ok(None) };
+    let place = snapshot.place(&params.text_document.uri)?;
     let lines = snapshot.lines(place.file);
     let of_position = |position| {
         let spans = acrc_ide::selection_ranges(&snapshot.db, place.file, lines.offset(position));
@@ -44,5 +44,5 @@ pub(crate) fn selections(snapshot: &Snapshot, params: &SelectionRangeParams) -> 
         // Each position needs an answer.
         nested.map_or_else(|| SelectionRange { range: lines.range(Span::empty(0)), parent: None }, |nested| *nested)
     };
-    Ok(Some(params.positions.iter().copied().map(of_position).collect()))
+    Some(params.positions.iter().copied().map(of_position).collect())
 }

@@ -15,18 +15,18 @@ use crate::snapshot::Snapshot;
 const MOST_SYMBOLS: usize = 256;
 
 pub(crate) fn of_document(snapshot: &Snapshot, params: &DocumentSymbolParams) -> Answer<DocumentSymbolResponse> {
-    let Some(place) = snapshot.place(&params.text_document.uri) else { return Ok(None) };
+    let place = snapshot.place(&params.text_document.uri)?;
     let lines = snapshot.lines(place.file);
     let symbols = acrc_ide::document_symbols(&snapshot.db, place.file);
     if snapshot.abilities.nested_symbols {
         let nested = symbols.into_iter().map(|symbol| nested(symbol, &lines));
-        return Ok(Some(DocumentSymbolResponse::Nested(nested.collect())));
+        return Some(DocumentSymbolResponse::Nested(nested.collect()));
     }
     let mut flat = Vec::new();
     for symbol in symbols {
         flatten(symbol, None, &params.text_document.uri, &lines, &mut flat);
     }
-    Ok(Some(DocumentSymbolResponse::Flat(flat)))
+    Some(DocumentSymbolResponse::Flat(flat))
 }
 
 #[expect(deprecated, reason = "the field has to be there")]
@@ -60,7 +60,7 @@ fn flatten(symbol: Symbol, container: Option<&str>, uri: &Uri, lines: &Lines, fl
 }
 
 #[expect(deprecated, reason = "the field has to be there")]
-pub(crate) fn of_workspace(snapshot: &Snapshot, params: &WorkspaceSymbolParams) -> Answer<WorkspaceSymbolResponse> {
+pub(crate) fn of_workspace(snapshot: &Snapshot, params: &WorkspaceSymbolParams) -> WorkspaceSymbolResponse {
     let mut projects: Vec<Project> = Vec::new();
     for place in snapshot.files.by_path.values() {
         if !projects.contains(&place.project) {
@@ -82,7 +82,7 @@ pub(crate) fn of_workspace(snapshot: &Snapshot, params: &WorkspaceSymbolParams) 
             })
         }));
     }
-    Ok(Some(WorkspaceSymbolResponse::Flat(symbols)))
+    WorkspaceSymbolResponse::Flat(symbols)
 }
 
 fn kind(kind: Kind) -> SymbolKind {

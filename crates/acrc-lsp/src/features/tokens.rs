@@ -58,10 +58,10 @@ struct Known {
 
 impl Tokens {
     pub(crate) fn full(&self, snapshot: &Snapshot, params: &SemanticTokensParams) -> Answer<SemanticTokensResult> {
-        let Some(place) = snapshot.place(&params.text_document.uri) else { return Ok(None) };
+        let place = snapshot.place(&params.text_document.uri)?;
         let data = tokens(snapshot, place, None);
         let result_id = self.remember(snapshot, place, data.clone());
-        Ok(Some(SemanticTokensResult::Tokens(SemanticTokens { result_id, data })))
+        Some(SemanticTokensResult::Tokens(SemanticTokens { result_id, data }))
     }
 
     pub(crate) fn delta(
@@ -69,18 +69,18 @@ impl Tokens {
         snapshot: &Snapshot,
         params: &SemanticTokensDeltaParams,
     ) -> Answer<SemanticTokensFullDeltaResult> {
-        let Some(place) = snapshot.place(&params.text_document.uri) else { return Ok(None) };
+        let place = snapshot.place(&params.text_document.uri)?;
         let data = tokens(snapshot, place, None);
         let known = snapshot.path(place.file).and_then(|path| self.0.lock().by_path.get(path).cloned());
         let before = known.filter(|(id, _)| *id == params.previous_result_id).map(|(_, tokens)| tokens);
         let result_id = self.remember(snapshot, place, data.clone());
-        Ok(Some(match before {
+        Some(match before {
             Some(before) => {
                 let edits = difference(&before, data);
                 SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta { result_id, edits })
             }
             None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens { result_id, data }),
-        }))
+        })
     }
 
     /// Keeps what the client gets, while the document is open.
@@ -100,10 +100,10 @@ impl Tokens {
 
 pub(crate) fn range(snapshot: &Snapshot, params: &SemanticTokensRangeParams) -> Answer<SemanticTokensRangeResult> {
     let uri: &Uri = &params.text_document.uri;
-    let Some(place) = snapshot.place(uri) else { return Ok(None) };
-    let Some(part) = snapshot.lines(place.file).span(params.range) else { return Ok(None) };
+    let place = snapshot.place(uri)?;
+    let part = snapshot.lines(place.file).span(params.range)?;
     let data = tokens(snapshot, place, Some(part));
-    Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens { result_id: None, data })))
+    Some(SemanticTokensRangeResult::Tokens(SemanticTokens { result_id: None, data }))
 }
 
 fn tokens(snapshot: &Snapshot, place: Place, part: Option<Span>) -> Vec<SemanticToken> {

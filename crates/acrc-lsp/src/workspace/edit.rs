@@ -29,7 +29,7 @@ impl Workspace {
         documents.by_uri.insert(item.uri.as_str().to_owned(), path.clone());
         documents.by_path.insert(path.clone(), Document { uri: item.uri, version: item.version, lines });
         if is_config(&path) {
-            self.configs.insert(path.clone(), item.text);
+            Arc::make_mut(&mut self.configs).insert(path.clone(), item.text);
             self.load_around(&path);
             return;
         }
@@ -60,7 +60,7 @@ impl Workspace {
         match file {
             Some(file) => self.set_text(file, &path, text),
             None => {
-                self.configs.insert(path.clone(), text);
+                Arc::make_mut(&mut self.configs).insert(path.clone(), text);
                 self.load_around(&path);
             }
         }
@@ -74,7 +74,7 @@ impl Workspace {
         if documents.by_path.remove(&path).is_none() {
             return;
         }
-        self.configs.remove(&path);
+        Arc::make_mut(&mut self.configs).remove(&path);
         // What was not saved is gone, and a file that was never saved with it.
         self.read_again(&path);
     }

@@ -31,9 +31,7 @@ impl Workspace {
     /// The project of a file of the session.
     pub(super) fn key_of_file(&self, path: &Utf8Path) -> Option<Utf8PathBuf> {
         let project = self.files.by_path.get(path)?.project;
-        path.ancestors()
-            .find(|folder| self.projects.get(*folder).is_some_and(|entry| entry.project == project))
-            .map(Utf8Path::to_owned)
+        self.files.keys.get(&project).cloned()
     }
 
     pub(super) fn set_file_text(&mut self, file: SourceFile, text: String) {
@@ -259,6 +257,7 @@ impl Workspace {
             files.by_path.insert(path.clone(), Place { project: entry.project, file: *file });
             files.paths.insert(*file, path.clone());
         }
+        files.keys.insert(entry.project, key.to_owned());
         self.changes.gone.retain(|path| !files.by_path.contains_key(path));
         self.changes.projects.insert(key.to_owned());
         self.projects.insert(key.to_owned(), entry);
@@ -266,6 +265,9 @@ impl Workspace {
 
     fn forget(&mut self, entry: Option<&Entry>) {
         let files = Arc::make_mut(&mut self.files);
+        if let Some(entry) = entry {
+            files.keys.remove(&entry.project);
+        }
         for (path, file) in entry.iter().flat_map(|entry| &entry.files) {
             files.by_path.remove(path);
             files.paths.remove(file);

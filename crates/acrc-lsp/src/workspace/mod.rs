@@ -11,6 +11,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use tower_lsp_server::ls_types::Uri;
 
 use crate::abilities::Abilities;
+use crate::scratch::Scratch;
 use crate::settings::Settings;
 use crate::snapshot::{Documents, FileTable, Snapshot};
 use crate::uri::{is_on_disk, path_of};
@@ -24,6 +25,7 @@ pub(crate) struct Workspace {
     db: Database,
     pub(crate) abilities: Abilities,
     pub(crate) settings: Arc<Settings>,
+    pub(crate) scratch: Scratch,
     /// Folders of the client.
     pub(crate) roots: Vec<Utf8PathBuf>,
     /// By the folder of a project, or by the path of a file that is a project by itself.
@@ -31,7 +33,7 @@ pub(crate) struct Workspace {
     files: Arc<FileTable>,
     documents: Arc<Documents>,
     /// Texts of open `acrc.toml`s.
-    configs: BTreeMap<Utf8PathBuf, String>,
+    configs: Arc<BTreeMap<Utf8PathBuf, String>>,
     /// Projects of one file that are no longer there; the database can't forget them, so they are used again.
     spare: Vec<(Project, SourceFile)>,
     /// What changed since it was last asked.
@@ -61,6 +63,11 @@ pub(crate) struct Changes {
 }
 
 impl Workspace {
+    /// Nothing yet; files that are made for the client go to `scratch`.
+    pub(crate) fn new(scratch: Scratch) -> Self {
+        Self { scratch, ..Self::default() }
+    }
+
     /// What questions are answered from now.
     pub(crate) fn snapshot(&self) -> Snapshot {
         Snapshot {
@@ -69,6 +76,8 @@ impl Workspace {
             documents: Arc::clone(&self.documents),
             abilities: self.abilities,
             settings: Arc::clone(&self.settings),
+            scratch: self.scratch.clone(),
+            configs: Arc::clone(&self.configs),
         }
     }
 

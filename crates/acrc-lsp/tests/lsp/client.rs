@@ -1,4 +1,5 @@
 //! A tiny client: messages as JSON over any pair of streams.
+#![expect(clippy::needless_pass_by_value, reason = "`json!` is written in place")]
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io::{BufRead, Write};

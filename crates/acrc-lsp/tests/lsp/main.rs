@@ -2,5 +2,7 @@
 
 mod client;
 mod documents;
+mod features;
 mod protocol;
 mod session;
+mod storms;
