@@ -63,6 +63,9 @@ pub(crate) struct ServeArguments {
     /// The user parameter whose changes are user alarms on port 5004, which no document names
     #[arg(long, value_name = "PARAMETER", value_parser = parse_parameter)]
     pub(crate) user_alarm: Option<u32>,
+    /// The flag Enable Rapid Move Modes of master 0, which no document numbers; that of the next master is 32 further
+    #[arg(long, value_name = "BIT", value_parser = parse_bit)]
+    pub(crate) rapid_move_modes: Option<u32>,
     /// Tell on standard error who connects and who leaves
     #[arg(short, long)]
     pub(crate) verbose: bool,
@@ -92,6 +95,11 @@ fn parse_ports(text: &str) -> Result<Ports, String> {
 fn parse_parameter(text: &str) -> Result<u32, String> {
     let digits = text.strip_prefix(['P', 'p']).unwrap_or(text);
     digits.parse().map_err(|_| "write a parameter, as P100".to_owned())
+}
+
+fn parse_bit(text: &str) -> Result<u32, String> {
+    let digits = text.get(..3).filter(|word| word.eq_ignore_ascii_case("BIT")).map_or(text, |_| &text[3..]);
+    digits.parse().map_err(|_| "write a flag, as BIT2053".to_owned())
 }
 
 fn parse_pace(text: &str) -> Result<Speed, String> {

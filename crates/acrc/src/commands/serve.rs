@@ -55,6 +55,7 @@ pub(super) fn run(arguments: &ServeArguments, color: ColorChoice) -> anyhow::Res
         battery: !arguments.no_battery,
         seed: arguments.seed,
         user_alarm: arguments.user_alarm,
+        rapid_move_modes: arguments.rapid_move_modes,
     };
     let Some((name, controller)) = power_up(&wanted, state.as_ref(), color)? else { return Ok(Exit::Findings) };
     let (sender, messages) = sync_channel(WAITING);

@@ -24,6 +24,8 @@ pub(super) struct Wanted<'a> {
     pub(super) seed: u64,
     /// The parameter whose changes are user alarms.
     pub(super) user_alarm: Option<u32>,
+    /// The flag Enable Rapid Move Modes of master 0.
+    pub(super) rapid_move_modes: Option<u32>,
 }
 
 /// Powers a controller up, and says what it is called. Nothing is executed yet. `None` when the project does not compile.
@@ -50,7 +52,13 @@ fn prepare(
     kept: Option<&Saved>,
     color: ColorChoice,
 ) -> anyhow::Result<Option<(String, Image, Options)>> {
-    let options = |world| Options { world, seed: wanted.seed, user_alarm: wanted.user_alarm, ..Options::default() };
+    let options = |world| Options {
+        world,
+        seed: wanted.seed,
+        user_alarm: wanted.user_alarm,
+        rapid_move_modes: wanted.rapid_move_modes,
+        ..Options::default()
+    };
     let Some(path) = wanted.project else {
         let of_state = || kept.map_or(acrc_catalog::default_model().name, |saved| &saved.model);
         let model = wanted.model.map_or_else(of_state, |model| model.name);

@@ -32,6 +32,7 @@ pub(super) fn run(arguments: &ReplArguments, color: ColorChoice) -> anyhow::Resu
         battery: !arguments.no_battery,
         seed: arguments.seed,
         user_alarm: None,
+        rapid_move_modes: None,
     };
     let Some((name, mut controller)) = power_up(&wanted, state.as_ref(), color)? else { return Ok(Exit::Findings) };
     let first = || controller.model().streams.first().and_then(|name| name.parse().ok());
