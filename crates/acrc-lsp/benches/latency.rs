@@ -22,6 +22,12 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 const SERVE: &str = "ACRC_LATENCY_SERVE";
 /// Keystrokes of each kind.
 const KEYSTROKES: usize = 400;
+/// What is typed behind an assignment.
+const CODE: &str = " + P100 * 2";
+/// The same in Python.
+const PYTHON: &str = " + values[1] * 2";
+/// What is typed behind the number of an alias.
+const ALIAS: &str = "12";
 /// Sessions whose start is measured.
 const STARTS: usize = 15;
 
@@ -37,13 +43,14 @@ fn main() -> ExitCode {
     println!("project: {} lines in {} files", large.lines(), large.files.len());
     start("start to first diagnostics, small file", &small);
     start("start to first diagnostics, project", &large);
-    keystrokes("acrc", acrc(), &large);
+    keystrokes("acrc", acrc(), &large, CODE);
+    keystrokes("acrc", acrc(), &Project::write(&generate::one_file()), CODE);
     if let Some(ruff) = std::env::var_os("RUFF") {
-        let python = Project::write(&generate::python());
-        println!("python: {} lines in {} files", python.lines(), python.files.len());
-        let mut command = Command::new(ruff);
-        command.arg("server");
-        keystrokes("ruff", command, &python);
+        for files in [generate::python(), generate::one_python_file()] {
+            let mut command = Command::new(&ruff);
+            command.arg("server");
+            keystrokes("ruff", command, &Project::write(&files), PYTHON);
+        }
     }
     ExitCode::SUCCESS
 }
@@ -64,7 +71,7 @@ fn start(name: &str, project: &Project) {
     for _ in 0..STARTS {
         times.add(|| {
             let mut server = Server::begin(acrc(), project);
-            server.open(project, project.edited);
+            server.open(project, project.edited, "");
             server.first_diagnostics();
             server
         });
@@ -73,9 +80,10 @@ fn start(name: &str, project: &Project) {
 }
 
 /// Types into a file in the middle of the project.
-fn keystrokes(name: &str, command: Command, project: &Project) {
+fn keystrokes(name: &str, command: Command, project: &Project, typed: &'static str) {
+    println!("{name}: {} lines in {} files", project.lines(), project.files.len());
     let mut server = Server::begin(command, project);
-    server.open(project, project.edited);
+    server.open(project, project.edited, typed);
     server.first_diagnostics();
     let mut times = Times::default();
     for step in 0..KEYSTROKES {
@@ -95,14 +103,16 @@ fn keystrokes(name: &str, command: Command, project: &Project) {
             server.diagnostics();
         }
         times.print("acrc: keystroke to completion");
-        setup_keystrokes(&mut server, project);
+        if project.files.len() > 1 {
+            setup_keystrokes(&mut server, project);
+        }
     }
     println!("{name}: memory {:.0} MB, at most {:.0} MB", server.memory("VmRSS"), server.memory("VmHWM"));
 }
 
 /// Types into the setup, on which all programs hang.
 fn setup_keystrokes(server: &mut Server, project: &Project) {
-    server.open(project, 0);
+    server.open(project, 0, ALIAS);
     server.first_diagnostics();
     let mut times = Times::default();
     for step in 0..KEYSTROKES {

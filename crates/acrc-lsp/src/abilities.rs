@@ -32,7 +32,6 @@ pub(crate) struct Abilities {
     pub(crate) refreshes_lenses: bool,
     pub(crate) refreshes_hints: bool,
     pub(crate) folds_lines_only: bool,
-    pub(crate) multiline_tokens: bool,
     pub(crate) prepares_rename: bool,
     pub(crate) shows_documents: bool,
 }
@@ -103,8 +102,6 @@ impl Abilities {
         self.code_action_literals =
             text.code_action.as_ref().is_some_and(|action| action.code_action_literal_support.is_some());
         self.folds_lines_only = text.folding_range.as_ref().is_some_and(|fold| fold.line_folding_only == Some(true));
-        self.multiline_tokens =
-            text.semantic_tokens.as_ref().is_some_and(|tokens| tokens.multiline_token_support == Some(true));
         self.prepares_rename = text.rename.as_ref().is_some_and(|rename| rename.prepare_support == Some(true));
     }
 }

@@ -101,6 +101,10 @@ impl Writer {
             Task::Settings(settings) => {
                 self.workspace.settings = settings.into();
                 self.workspace.touch_all();
+                if self.workspace.abilities.refreshes_hints {
+                    // A client that refuses asks when it likes.
+                    self.outgoing.converse(|client| async move { drop(client.inlay_hint_refresh().await) });
+                }
             }
             Task::Found(found) => self.begin_loading(found),
             Task::Load(found) => self.load(&found),
@@ -197,8 +201,12 @@ impl Writer {
         self.untold.projects.extend(changes.projects);
         self.untold.edited = changes.edited.or(self.untold.edited);
         self.watch(Vec::new());
-        if !self.workspace.abilities.pulls_diagnostics {
+        let abilities = self.workspace.abilities;
+        if !abilities.pulls_diagnostics {
             self.publish();
+        } else if changes.edited.is_none() && abilities.refreshes_diagnostics {
+            // The client knows of its own edits only.
+            self.outgoing.converse(|client| async move { drop(client.workspace_diagnostic_refresh().await) });
         }
     }
 

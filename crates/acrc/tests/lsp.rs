@@ -29,6 +29,7 @@ fn a_session_from_beginning_to_end() {
     let path = folder.path().canonicalize().expect("a path").join("Prog0.8K");
     let text = "PROGRAM\nP0 = 3\nPRINT \"done\"\nENDP\n";
     std::fs::write(&path, text).expect("written");
+    std::fs::write(path.with_file_name("Setup.8K"), "SYS\nDIM P(10)\n").expect("written");
     let uri = format!("file://{}", path.display());
     let (mut child, mut session) = start();
     session.initialize(json!({}), Some(&format!("file://{}", path.parent().expect("a folder").display())));

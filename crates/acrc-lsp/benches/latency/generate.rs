@@ -5,7 +5,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-/// Where somebody types: behind the line that has this.
+/// Where somebody types: at the end of the line below the one that has this.
 pub(crate) const MARK: &str = "cursor";
 
 /// Programs besides the setup.
@@ -90,7 +90,7 @@ fn program(number: usize, stations: usize) -> String {
         let moves = if number < 4 { format!("    {axis}{station}.5\n    INH -516\n") } else { String::new() };
         write!(
             text,
-            "_Do{station}\n' {mark}\nIF (Station{flag})\n    SET Station{next}\n    P{user} = P{user} + 1\n{moves}\
+            "_Do{station}\n' {mark}\nP900 = P901\nIF (Station{flag})\n    SET Station{next}\n    P{user} = P{user} + 1\n{moves}\
              ELSE\n    CLR Station{next}\n    FOR LV1 = 0 TO 9 STEP 1\n        DV1 = DV1 + SQRT(P{user} * 2.5)\n    NEXT\n\
              ENDIF\nWHILE (Station{flag} AND NOT Station{next})\n    DWL 0.05\nWEND\nINH 32\n\
              IF (P{user} > 1000) THEN P{user} = 0\nPRINT \"station \"; {station}; \" done\"\nRETURN\n",
@@ -103,6 +103,21 @@ fn program(number: usize, stations: usize) -> String {
     text
 }
 
+/// All programs in one file.
+pub(crate) fn one_file() -> Vec<(String, String)> {
+    let mut text = setup();
+    for number in 0..PROGRAMS {
+        writeln!(text, "PROG{number}").expect("a string takes everything");
+        text.push_str(&program(number, STATIONS));
+    }
+    vec![("machine.8K".to_owned(), text)]
+}
+
+/// All modules in one.
+pub(crate) fn one_python_file() -> Vec<(String, String)> {
+    vec![("machine.py".to_owned(), python().into_iter().map(|(_, text)| text).collect())]
+}
+
 /// Python of the same length in as many files.
 pub(crate) fn python() -> Vec<(String, String)> {
     let files = PROGRAMS + 1;
@@ -112,7 +127,7 @@ pub(crate) fn python() -> Vec<(String, String)> {
             let mark = if station == STATIONS / 2 { MARK } else { "part" };
             write!(
                 text,
-                "def station_{station}(flags, values):\n    # {mark}\n    if flags[{station}]:\n        flags[{station} + 1] = True\n\
+                "def station_{station}(flags, values):\n    # {mark}\n    total = values[0]\n    if flags[{station}]:\n        flags[{station} + 1] = True\n\
                  \x20       values[{station}] += 1\n        values[{station} + 1] = {station}.5\n    else:\n\
                  \x20       flags[{station} + 1] = False\n        for index in range(10):\n\
                  \x20           values[index] += math.sqrt(values[{station}] * 2.5)\n    while flags[{station}]:\n\

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use super::generate::Project;
+use super::generate::{MARK, Project};
 use crate::client::Client;
 
 /// Durations of the same thing.
@@ -38,12 +38,11 @@ pub(crate) struct Server {
     client: Client<BufReader<ChildStdout>, ChildStdin>,
     uri: String,
     version: i32,
-    /// Line and column of the next keystroke.
+    /// Line and column of the first keystroke.
     cursor: (u32, u32),
+    /// What is typed, and then removed, again and again.
+    typed: &'static str,
 }
-
-/// What is typed, again and again: an assignment, and then it is removed.
-const TYPED: &str = " P100=P101+1";
 
 impl Server {
     pub(crate) fn begin(mut command: Command, project: &Project) -> Self {
@@ -56,15 +55,16 @@ impl Server {
         let input = BufReader::new(process.stdout.take().expect("it has an output"));
         let mut client = Client::new(input, process.stdin.take().expect("it has an input"));
         client.initialize(json!({}), Some(&project.uri("")));
-        Self { process, client, uri: String::new(), version: 0, cursor: (0, 0) }
+        Self { process, client, uri: String::new(), version: 0, cursor: (0, 0), typed: "" }
     }
 
     /// Opens a file, and puts the cursor where the project wants it.
-    pub(crate) fn open(&mut self, project: &Project, file: usize) {
+    pub(crate) fn open(&mut self, project: &Project, file: usize, typed: &'static str) {
         let (name, text) = &project.files[file];
         self.uri = project.uri(name);
         self.version = 1;
-        let line = text.lines().position(|line| line.contains(generate_mark())).unwrap_or(0);
+        self.typed = typed;
+        let line = text.lines().position(|line| line.contains(MARK)).map_or(0, |mark| mark + 1);
         let column = text.lines().nth(line).map_or(0, str::len);
         self.cursor = (line as u32, column as u32);
         self.client.open(&self.uri, text);
@@ -82,9 +82,9 @@ impl Server {
     /// One more character, or when all are typed, all of them removed.
     pub(crate) fn type_one(&mut self, step: usize) {
         let (line, column) = self.cursor;
-        let typed = step % (TYPED.len() + 1);
+        let typed = step % (self.typed.len() + 1);
         let position = |character: usize| json!({ "line": line, "character": column as usize + character });
-        let (end, text) = match TYPED.get(typed..=typed) {
+        let (end, text) = match self.typed.get(typed..=typed) {
             Some(text) => (typed, text),
             None => (typed, ""),
         };
@@ -96,7 +96,7 @@ impl Server {
 
     pub(crate) fn complete(&mut self) {
         let (line, column) = self.cursor;
-        let at = json!({ "textDocument": { "uri": self.uri }, "position": { "line": line, "character": column + 3 } });
+        let at = json!({ "textDocument": { "uri": self.uri }, "position": { "line": line, "character": column } });
         let answer: Value = self.client.request("textDocument/completion", at);
         assert!(answer.is_object() || answer.is_array(), "{answer}");
     }
@@ -108,10 +108,6 @@ impl Server {
         let number = line.and_then(|line| line.split_whitespace().next()).and_then(|number| number.parse::<f64>().ok());
         number.unwrap_or(0.0) / 1024.0
     }
-}
-
-fn generate_mark() -> &'static str {
-    super::generate::MARK
 }
 
 impl Drop for Server {

@@ -18,6 +18,7 @@ use tower_lsp_server::ls_types::{
     ExecuteCommandParams, MessageActionItem, MessageType, ProgressToken, ShowDocumentParams, Uri,
 };
 
+use crate::abilities::Abilities;
 use crate::snapshot::Snapshot;
 use crate::uri::is_on_disk;
 
@@ -59,6 +60,7 @@ pub(crate) struct Plan {
     key: Utf8PathBuf,
     /// Parameters and flags that the project names.
     operands: Vec<String>,
+    abilities: Abilities,
 }
 
 impl Target {
@@ -82,7 +84,7 @@ impl Target {
         operands.sort();
         operands.dedup();
         operands.truncate(MOST_VALUES);
-        Ok(Plan { key, operands })
+        Ok(Plan { key, operands, abilities: snapshot.abilities })
     }
 }
 
@@ -133,8 +135,10 @@ async fn sim(
     let run = Run::new(run, page.clone());
     let summary = run.summary();
     outcomes.remember(&plan.key, run);
-    // A client that shows no lenses need not hear of them.
-    let _ = client.code_lens_refresh().await;
+    if plan.abilities.refreshes_lenses {
+        // A client that refuses asks when it likes.
+        let _ = client.code_lens_refresh().await;
+    }
     Ok(json!({ "status": done.status, "summary": summary, "report": page, "errors": done.errors }))
 }
 
@@ -173,8 +177,10 @@ async fn report(client: &Client, outcomes: &Outcomes, plan: &Plan) -> Result<Opt
     let run = outcomes.of(&plan.key).ok_or_else(|| failed("there was no dry run yet"))?;
     let Some(uri) = Uri::from_file_path(Path::new(run.page().as_str())) else { return Ok(None) };
     let params = ShowDocumentParams { uri, external: Some(true), take_focus: None, selection: None };
-    // A client that shows no documents gets the path.
-    let _ = client.show_document(params).await;
+    if plan.abilities.shows_documents {
+        // One that can't show it gets the path.
+        let _ = client.show_document(params).await;
+    }
     Ok(Some(json!({ "report": run.page() })))
 }
 

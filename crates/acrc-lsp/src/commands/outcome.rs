@@ -79,8 +79,12 @@ impl Run {
 
     /// What a parameter or flag was at the end.
     pub(crate) fn value(&self, name: &str) -> Option<String> {
-        let value = self.report.get("values")?.get(name)?;
-        Some(value.as_str().map_or_else(|| value.to_string(), str::to_owned))
+        match self.report.get("values")?.get(name)? {
+            Value::Null => None,
+            Value::Number(number) => number.as_f64().map(|number| number.to_string()),
+            Value::String(text) => Some(text.clone()),
+            other => Some(other.to_string()),
+        }
     }
 
     /// The run in a line.

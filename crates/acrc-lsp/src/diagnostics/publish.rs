@@ -6,6 +6,7 @@ use std::sync::Arc;
 use acrc_analysis::{Project, SourceFile};
 use camino::{Utf8Path, Utf8PathBuf};
 use parking_lot::Mutex;
+use tower_lsp_server::jsonrpc::ErrorCode;
 use tower_lsp_server::ls_types::{Diagnostic, Uri};
 
 use super::of_file;
@@ -48,17 +49,14 @@ impl Publisher {
 
     /// Tells what is found. Whether it came to the end, which an edit can prevent.
     pub(crate) fn tell(&self, snapshot: &Snapshot, round: &Round) -> bool {
-        let look = |snapshot: &Snapshot| {
-            for (project, file) in &round.files {
+        round.files.iter().all(|(project, file)| {
+            let look = |snapshot: &Snapshot| {
                 self.tell_of(snapshot, *project, *file);
-            }
-            Ok(())
-        };
-        match snapshot.answer(look) {
-            Ok(()) => true,
-            // A feature that fails fails again.
-            Err(error) => error.code != tower_lsp_server::jsonrpc::ErrorCode::ContentModified,
-        }
+                Ok(())
+            };
+            // A check that fails in one file fails again, and says nothing of the others.
+            snapshot.answer(look).err().is_none_or(|error| error.code != ErrorCode::ContentModified)
+        })
     }
 
     fn tell_of(&self, snapshot: &Snapshot, project: Project, file: SourceFile) {
