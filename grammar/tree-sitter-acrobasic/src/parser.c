@@ -14,7 +14,7 @@
 #pragma GCC optimize ("O0", "jump-tables")
 #endif
 
-#define LANGUAGE_VERSION 15
+#define LANGUAGE_VERSION 14
 #define STATE_COUNT 811
 #define LARGE_STATE_COUNT 522
 #define SYMBOL_COUNT 272
@@ -25,7 +25,7 @@
 #define MAX_ALIAS_SEQUENCE_LENGTH 9
 #define MAX_RESERVED_WORD_SET_SIZE 0
 #define PRODUCTION_ID_COUNT 45
-#define SUPERTYPE_COUNT 1
+#define SUPERTYPE_COUNT 0
 
 enum ts_symbol_identifiers {
   anon_sym_COLON = 1,
@@ -3035,35 +3035,6 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
   [808] = 808,
   [809] = 809,
   [810] = 802,
-};
-
-static const TSSymbol ts_supertype_symbols[SUPERTYPE_COUNT] = {
-  sym_statement,
-};
-
-static const TSMapSlice ts_supertype_map_slices[] = {
-  [sym_statement] = {.index = 0, .length = 17},
-};
-
-static const TSSymbol ts_supertype_map_entries[] = {
-  [0] =
-    sym_assignment,
-    sym_close,
-    sym_command,
-    sym_define,
-    sym_dim,
-    sym_for_block,
-    sym_if_block,
-    sym_if_statement,
-    sym_input,
-    sym_jump,
-    sym_label,
-    sym_move,
-    sym_object_command,
-    sym_open,
-    sym_print,
-    sym_remark,
-    sym_while_block,
 };
 
 static bool ts_lex(TSLexer *lexer, TSStateId state) {
@@ -12635,7 +12606,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
   }
 }
 
-static const TSLexerMode ts_lex_modes[STATE_COUNT] = {
+static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [0] = {.lex_state = 0, .external_lex_state = 1},
   [1] = {.lex_state = 642, .external_lex_state = 2},
   [2] = {.lex_state = 641, .external_lex_state = 3},
@@ -87083,7 +87054,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_acrobasic(void) {
     .state_count = STATE_COUNT,
     .large_state_count = LARGE_STATE_COUNT,
     .production_id_count = PRODUCTION_ID_COUNT,
-    .supertype_count = SUPERTYPE_COUNT,
     .field_count = FIELD_COUNT,
     .max_alias_sequence_length = MAX_ALIAS_SEQUENCE_LENGTH,
     .parse_table = &ts_parse_table[0][0],
@@ -87094,9 +87064,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_acrobasic(void) {
     .field_names = ts_field_names,
     .field_map_slices = ts_field_map_slices,
     .field_map_entries = ts_field_map_entries,
-    .supertype_map_slices = ts_supertype_map_slices,
-    .supertype_map_entries = ts_supertype_map_entries,
-    .supertype_symbols = ts_supertype_symbols,
     .symbol_metadata = ts_symbol_metadata,
     .public_symbol_map = ts_symbol_map,
     .alias_map = ts_non_terminal_alias_map,
@@ -87113,13 +87080,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_acrobasic(void) {
       tree_sitter_acrobasic_external_scanner_deserialize,
     },
     .primary_state_ids = ts_primary_state_ids,
-    .name = "acrobasic",
-    .max_reserved_word_set_size = 0,
-    .metadata = {
-      .major_version = 0,
-      .minor_version = 1,
-      .patch_version = 0,
-    },
   };
   return &language;
 }
