@@ -52,3 +52,20 @@ fn neovim() {
     let said = act("nvim", ["--headless".into(), "-u".into(), init, "-S".into(), session], &bench);
     assert_eq!(said.matches("ok ").count(), 11, "{said}");
 }
+
+#[test]
+fn vs_code() {
+    let folder = repository().join("editors/vscode");
+    if !has("node") || !has("npm") {
+        return;
+    }
+    if !folder.join("node_modules").is_dir() {
+        let on_server = std::env::var("CI").is_ok_and(|value| value == "true");
+        assert!(!on_server, "`npm ci --prefix editors/vscode` has to run before the tests");
+        eprintln!("`npm ci --prefix editors/vscode` did not run: the extension is not tested here");
+        return;
+    }
+    let bench = Bench::new();
+    let said = act("npm", ["test".into(), "--prefix".into(), folder.into_os_string()], &bench);
+    assert!(said.contains("# fail 0") && said.contains("# skipped 0"), "{said}");
+}
