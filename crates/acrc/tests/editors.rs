@@ -69,3 +69,16 @@ fn vs_code() {
     let said = act("npm", ["test".into(), "--prefix".into(), folder.into_os_string()], &bench);
     assert!(said.contains("# fail 0") && said.contains("# skipped 0"), "{said}");
 }
+
+#[test]
+fn emacs() {
+    if !has("emacs") {
+        return;
+    }
+    let bench = Bench::new();
+    let folder = repository().join("editors/emacs");
+    let test = folder.join("test/acrobasic-test.el").into_os_string();
+    let load = ["-Q".into(), "--batch".into(), "-L".into(), folder.into_os_string(), "-l".into(), test];
+    let said = act("emacs", load.into_iter().chain(["-f".into(), "ert-run-tests-batch-and-exit".into()]), &bench);
+    assert!(said.contains(" 0 unexpected"), "{said}");
+}

@@ -1,5 +1,6 @@
 //! The grammars for editors, in `grammar/`.
 
+mod emacs;
 mod textmate;
 mod tree_sitter;
 mod words;
@@ -10,10 +11,12 @@ use anyhow::Context as _;
 
 use crate::pages::Page;
 
-/// What is made from the catalogue alone: the `TextMate` grammar, and what `grammar.js` and its scanner read.
+/// What is made from the catalogue alone: the `TextMate` grammar, and what `grammar.js`, its scanner
+/// and `acrobasic-mode` of Emacs read.
 pub(crate) fn pages() -> Vec<Page> {
     vec![
         Page { path: "grammar/acrobasic.tmLanguage.json", text: textmate::json() },
+        Page { path: "editors/emacs/acrobasic-words.el", text: emacs::lisp() },
         Page { path: "grammar/tree-sitter-acrobasic/words.json", text: words::json() },
         Page { path: "grammar/tree-sitter-acrobasic/src/words.h", text: words::header() },
     ]

@@ -43,12 +43,9 @@ fn fill(value: &mut Value, lists: &BTreeMap<&str, String>) {
 }
 
 fn lists() -> BTreeMap<&'static str, String> {
-    let is_control = |row: &&Command| {
-        matches!(row.shape, Shape::If | Shape::For | Shape::Condition | Shape::Target) || row.group == "Program Flow"
-    };
     let commands = || words::commands().filter(|row| row.shape != Shape::Assignment);
     let control = commands()
-        .filter(is_control)
+        .filter(|row| words::is_control(row))
         .map(|row| row.name)
         .chain([Keyword::Then, Keyword::To, Keyword::Step].map(Keyword::name));
     let operators = || {
@@ -68,7 +65,7 @@ fn lists() -> BTreeMap<&'static str, String> {
                 | Shape::If
         )
     };
-    let others = commands().filter(|row| !is_control(row)).map(|row| row.name);
+    let others = commands().filter(|row| !words::is_control(row)).map(|row| row.name);
     let functions =
         |is_string: bool| all_functions().map(|row| row.name).filter(move |name| name.ends_with('$') == is_string);
     let variables = |is_string: bool| {

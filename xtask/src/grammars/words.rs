@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use acrc_catalog::{
-    Command, Keyword, ObjectKind, OperandClass, Operator, UnaryOperator, all_commands, all_functions, word,
+    Command, Keyword, ObjectKind, OperandClass, Operator, Shape, UnaryOperator, all_commands, all_functions, word,
 };
 use serde_json::{Value, json};
 
@@ -21,6 +21,11 @@ pub(super) fn commands() -> impl Iterator<Item = &'static Command> {
 /// Whether a word has only letters; the digits of `COM1` are a token of their own.
 pub(super) fn is_letters(text: &str) -> bool {
     text.chars().all(|letter| letter.is_ascii_alphabetic())
+}
+
+/// Whether a command steers the program.
+pub(super) fn is_control(row: &Command) -> bool {
+    matches!(row.shape, Shape::If | Shape::For | Shape::Condition | Shape::Target) || row.group == "Program Flow"
 }
 
 /// What `grammar.js` is made from.
