@@ -158,6 +158,8 @@ impl<T: Transport> Connection<T> {
             if !self.settle()? {
                 let what = match self.text.trim() {
                     "" => "nothing comes".to_owned(),
+                    // Only there a line ends with its group of four bytes.
+                    text if text.ends_with("ECHO 1") => format!("{text:?}, as a port for packets does"),
                     text => format!("{:?}", text.chars().take(60).collect::<String>()),
                 };
                 return Err(LinkError::NoPrompt { endpoint: self.name.clone(), what });

@@ -68,7 +68,7 @@ fn values_are_read_over_both_ports() {
     let run = acrc(&bench, &serve.to(), "get --axis 1 KAMR --json").expect(0);
     assert_eq!(
         run.stdout.trim_end(),
-        r#"[{"name":"AXIS1.kill_all_motion_request","register":"BIT8499","title":"Kill All Motion Request (KAMR), axis 1","value":false}]"#
+        r#"[{"name":"AXIS1.kill_all_motion_request","register":"BIT8499","value":false,"title":"Kill All Motion Request (KAMR), axis 1"}]"#
     );
     let run = acrc(&bench, &serve.to(), "get --project machine.8K --bare Lamp Y.kamr").expect(0);
     assert_eq!(run.stdout, "0\n0\n");

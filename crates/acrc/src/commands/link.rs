@@ -31,13 +31,7 @@ pub(super) fn watch_interrupt() -> anyhow::Result<()> {
 
 /// Connects to the controller of `--to`.
 pub(super) fn connect(arguments: &ToArguments, usual: Protocol) -> Result<Connection<Tcp>, LinkError> {
-    let protocol = arguments.protocol(usual);
-    Connection::open(&arguments.to, protocol, arguments.settings(interrupted)).map_err(|error| match error {
-        LinkError::NoPrompt { endpoint, what } if protocol.1 == Protocol::Text => {
-            LinkError::NoPrompt { endpoint, what: format!("{what}; a port for packets is spoken to with --packets") }
-        }
-        error => error,
-    })
+    Connection::open(&arguments.to, arguments.protocol(usual), arguments.settings(interrupted))
 }
 
 /// How a command ends with an error of the connection: a controller that refuses is a finding, everything else a failure.
