@@ -34,7 +34,7 @@ fn act<A: AsRef<OsStr>>(program: &str, arguments: impl IntoIterator<Item = A>, b
         command.env(name, bench.path(name));
     }
     command.env("ACRC", env!("CARGO_BIN_EXE_acrc")).env("PROJECT", project);
-    command.env("EXAMPLES", repository().join("examples"));
+    command.env("EXAMPLES", repository().join("examples")).env("QUERIES", repository().join("editors"));
     let output = command.output().expect("the editor starts");
     let said = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{program}: {}\n{said}", output.status);
@@ -50,7 +50,7 @@ fn neovim() {
     let test = repository().join("editors/neovim/test");
     let [init, session] = ["init.lua", "session.lua"].map(|name| test.join(name).into_os_string());
     let said = act("nvim", ["--headless".into(), "-u".into(), init, "-S".into(), session], &bench);
-    assert_eq!(said.matches("ok ").count(), 11, "{said}");
+    assert_eq!(said.matches("ok ").count(), 12, "{said}");
 }
 
 #[test]

@@ -215,6 +215,18 @@ local tests = {
     end,
   },
   {
+    'reads the queries for other editors',
+    function()
+      local files = vim.fn.glob(vim.env.QUERIES .. '/**/*.scm', true, true)
+      assert(#files >= 8, vim.inspect(files))
+      for _, file in ipairs(files) do
+        local parse = vim.treesitter.query.parse or vim.treesitter.parse_query
+        local fine, failure = pcall(parse, 'acrobasic', table.concat(vim.fn.readfile(file), '\n'))
+        assert(fine, file .. ': ' .. tostring(failure))
+      end
+    end,
+  },
+  {
     'ends the servers of both projects',
     function()
       wait('the server of the examples', function()

@@ -1,0 +1,13 @@
+[
+  (if_block)
+  (for_block)
+  (while_block)
+] @indent
+
+[
+  "ENDIF"
+  "NEXT"
+  "WEND"
+  "ELSE"
+  "ELSEIF"
+] @outdent

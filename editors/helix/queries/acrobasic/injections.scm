@@ -1,0 +1,2 @@
+([(comment) (remark_text)] @injection.content
+  (#set! injection.language "comment"))

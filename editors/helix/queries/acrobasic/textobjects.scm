@@ -1,0 +1,4 @@
+(program) @function.around
+(comment) @comment.inside
+(comment)+ @comment.around
+(remark) @comment.inside

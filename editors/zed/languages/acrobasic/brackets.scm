@@ -1,0 +1,5 @@
+("(" @open ")" @close)
+(program "PROGRAM" @open "ENDP" @close)
+(if_block "IF" @open "ENDIF" @close)
+(for_block "FOR" @open "NEXT" @close)
+(while_block "WHILE" @open "WEND" @close)
