@@ -50,7 +50,7 @@ fn neovim() {
     let test = repository().join("editors/neovim/test");
     let [init, session] = ["init.lua", "session.lua"].map(|name| test.join(name).into_os_string());
     let said = act("nvim", ["--headless".into(), "-u".into(), init, "-S".into(), session], &bench);
-    assert_eq!(said.matches("ok ").count(), 12, "{said}");
+    assert_eq!(said.matches("ok ").count(), 13, "{said}");
 }
 
 #[test]

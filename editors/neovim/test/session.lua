@@ -170,6 +170,26 @@ local tests = {
     end,
   },
   {
+    'runs the commands of acrc',
+    function()
+      local said = {}
+      vim.notify = function(text)
+        table.insert(said, text)
+      end
+      vim.cmd('AcrcSim PROG0')
+      local summary = wait('the dry run', function()
+        return said[1]
+      end)
+      assert(summary:find('virtual time', 1, true), summary)
+      vim.cmd('AcrcMem')
+      wait('the memory', function()
+        return vim.bo.buftype == 'nofile'
+      end)
+      assert(table.concat(lines(), '\n'):find('PROG0', 1, true), vim.inspect(lines()))
+      vim.cmd('bwipeout')
+    end,
+  },
+  {
     'joins the server that runs for the project',
     function()
       vim.cmd('silent wall')

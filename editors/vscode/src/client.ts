@@ -1,5 +1,7 @@
 /** The connection to `acrc lsp`. */
+import { execFile } from 'node:child_process';
 import { homedir } from 'node:os';
+import { promisify } from 'node:util';
 import * as vscode from 'vscode';
 import { LanguageClient, Trace, type LanguageClientOptions, type Middleware } from 'vscode-languageclient/node';
 import { program } from './commandLine';
@@ -10,6 +12,11 @@ export const LANGUAGE = 'acrobasic';
 export function acrc(): string {
   const setting = vscode.workspace.getConfiguration('acrc').get<string>('path', 'acrc');
   return program(setting, homedir(), vscode.workspace.workspaceFolders?.[0]?.uri.fsPath);
+}
+
+/** Fails when the program can't be run, so that this is said once, and by this extension. */
+export async function probe(): Promise<void> {
+  await promisify(execFile)(acrc(), ['--version'], { timeout: 10_000 });
 }
 
 /** A client that is not started yet. */

@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 import type { LanguageClient, Middleware } from 'vscode-languageclient/node';
 import { Actions } from './actions';
-import { acrc, create, follow } from './client';
+import { acrc, create, follow, probe } from './client';
 import * as report from './report';
 import { Status } from './status';
 import { provider } from './tasks';
@@ -42,10 +42,11 @@ export class Session implements vscode.Disposable {
   }
 
   async start(): Promise<void> {
-    const client = create(this.output, this.middleware());
-    this.status.follow(client);
-    this.client = client;
     try {
+      await probe();
+      const client = create(this.output, this.middleware());
+      this.status.follow(client);
+      this.client = client;
       await client.start();
       await follow(client);
     } catch (error) {

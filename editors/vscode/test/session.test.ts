@@ -141,8 +141,10 @@ test('the memory is shown in the output', options, async () => {
 
 test('another path starts another server, and a wrong one is explained', options, async () => {
   seen.choice = undefined;
+  seen.messages.length = 0;
   configure('acrc.path', join(folder, 'nowhere'));
   await until('a message', () => seen.messages.find(message => message.includes('acrc.path')));
+  assert.equal(seen.messages.length, 1, seen.messages.join('\n'));
   assert.match(String(seen.status['text']), /nowhere does not start/);
   configure('acrc.path', acrc);
   await until('the server', () => (/^acrc \d/.test(String(seen.status['text'])) ? true : undefined));
