@@ -127,6 +127,11 @@ impl Core {
         self.speed != Speed::Max
     }
 
+    /// Whether virtual time goes no faster than the clock on the wall, so that it leaves most of a processor to others.
+    pub(crate) fn is_real_time(&self) -> bool {
+        matches!(self.speed, Speed::Factor(factor) if factor <= 1.0)
+    }
+
     /// Before a client is heard: if the pace sleeps, virtual time is brought up to date, which costs nothing since nothing went on.
     pub(crate) fn wake(&mut self) {
         if !self.asleep {

@@ -23,6 +23,7 @@ mod listeners;
 mod management;
 mod network;
 mod pace;
+mod priority;
 mod registry;
 mod server;
 mod shared;

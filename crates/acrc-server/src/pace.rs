@@ -18,12 +18,15 @@ pub(crate) struct Pace {
     pub(crate) slip: Histogram,
 }
 
+/// What a thread that goes first leaves the others between two bursts.
+const BREATH: Duration = Duration::from_micros(100);
 /// Missed beats that are counted one by one after a stall.
 const MOST_MISSED: u32 = 10_000;
 
 /// Lets time pass until the server ends.
 pub(crate) fn run(shared: &Arc<Shared>) -> Pace {
     let mut pace = Pace::default();
+    let first = shared.core().is_real_time() && crate::priority::go_first();
     // The instant for which it sleeps, while something goes on.
     let mut planned: Option<Instant> = None;
     while !shared.bell.has_ended() {
@@ -50,6 +53,10 @@ pub(crate) fn run(shared: &Arc<Shared>) -> Pace {
         if next == Next::Now {
             // Behind: what is missed is counted when it is made up for.
             planned = planned.or(Some(now)).filter(|_| keeps_time);
+            if first {
+                // Nobody else would get the processor.
+                std::thread::sleep(BREATH);
+            }
             continue;
         }
         if let Some(planned) = planned.take() {

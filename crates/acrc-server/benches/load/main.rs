@@ -34,6 +34,7 @@ fn measure() {
     let bare = Child::start(serve::BARE);
     let bare_piped = clients::pipelined(bare.mixed(), time);
     let bare_strict = clients::strict(bare.mixed(), time);
+    let bare_status = status::five_clients(bare.fast_status(), time);
     bare.end();
 
     let child = Child::start(serve::CONTROLLER);
@@ -53,6 +54,10 @@ fn measure() {
         Row::rate("strict reads over four connections", &strict, &bare_strict, Some(20_000.0)),
         Row::rate("the same, with fast status", &busy_strict, &bare_strict, None),
     ]);
-    summary::print_status(&[("fast status to five clients", &status), ("the same, with strict reads", &busy_status)]);
+    summary::print_status(&[
+        ("fast status to five clients", &status),
+        ("the same, with strict reads", &busy_status),
+        ("    bare thread and sockets", &bare_status),
+    ]);
     println!("{finished}");
 }
