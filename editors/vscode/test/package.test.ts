@@ -26,8 +26,8 @@ test('one command makes a package with nothing but what is needed', () => {
   const found = entries(join(folder, 'dist/acrobasic.vsix'));
   const files = [...found.keys()].filter(name => name.startsWith('extension/')).map(name => name.slice('extension/'.length));
   assert.deepEqual(files.sort(), [
-    'LICENSE.txt', 'changelog.md', 'dist/extension.js', 'images/icon.png', 'language-configuration.json', 'package.json', 'readme.md',
-    'snippets/acrobasic.json', 'syntaxes/acrobasic.tmLanguage.json',
+    'LICENSE.txt', 'changelog.md', 'dist/THIRD-PARTY.txt', 'dist/extension.js', 'images/icon.png', 'language-configuration.json',
+    'package.json', 'readme.md', 'snippets/acrobasic.json', 'syntaxes/acrobasic.tmLanguage.json',
   ]);
   const size = found.get('extension/dist/extension.js')!;
   assert.ok(size < 800_000, `${size} bytes`);
