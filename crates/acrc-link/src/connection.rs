@@ -1,13 +1,15 @@
 //! A connection to a controller: text, and packets beside it.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use acrc_wire::binary::Replies;
+use acrc_wire::ethernet::COMMAND_STREAMS;
 use acrc_wire::{Channel, Decoder, Item, Reply, Request};
 
-use crate::reply::{Progress, progress};
-use crate::transport::{Tcp, Transport};
-use crate::{Answer, Console, Endpoint, LinkError, Protocol};
+use crate::question::{answers, check, what};
+use crate::reply::{Progress, is_at_prompt, progress};
+use crate::transport::{BEAT, Tcp, Transport};
+use crate::{Answer, Console, Endpoint, LinkError, Protocol, Settings};
 use acrc_syntax::units::Level;
 
 /// ESC: leaves what a channel shows or waits for.
@@ -15,32 +17,12 @@ pub const ESCAPE: u8 = 0x1b;
 
 /// Nothing more comes for so long behind what looks like a prompt: it is one.
 const QUIET: Duration = Duration::from_millis(100);
-/// The longest time between two looks at whether the user gives up.
-const BEAT: Duration = Duration::from_millis(50);
 /// Packets that are under way at most: their answers fit what sockets hold, so that neither side waits for the other.
 const WINDOW: usize = 256;
+/// Bytes that an answer has at most: much more than the listing of the largest program.
+const LONGEST_ANSWER: usize = 4 << 20;
 /// What is printed to see where the answers begin.
 const MARK: &str = "acrc-1";
-
-/// How a connection is made and how long is waited.
-#[derive(Clone, Copy, Debug)]
-pub struct Settings {
-    /// For a connection.
-    pub connect: Duration,
-    /// For an answer, or for the next piece of one.
-    pub answer: Duration,
-    /// How often connecting is tried again.
-    pub retries: u32,
-    /// Whether the user has given up.
-    pub interrupted: fn() -> bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        let five = Duration::from_secs(5);
-        Self { connect: five, answer: five, retries: 0, interrupted: || false }
-    }
-}
 
 /// A connection to a controller.
 pub struct Connection<T> {
@@ -58,6 +40,8 @@ pub struct Connection<T> {
     in_step: bool,
     /// The level of the last prompt.
     prompt: Level,
+    /// The controller has ended it, or it broke.
+    ended: bool,
 }
 
 impl Connection<Tcp> {
@@ -89,9 +73,30 @@ impl<T: Transport> Connection<T> {
             echo: false,
             in_step: false,
             prompt: Level::System,
+            ended: false,
         };
-        connection.synchronize()?;
-        Ok(connection)
+        match connection.synchronize() {
+            Ok(()) => Ok(connection),
+            Err(LinkError::Closed { .. } | LinkError::Broken { .. } | LinkError::Endless { .. }) => {
+                Err(connection.no_prompt())
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// What has come instead of a prompt.
+    fn no_prompt(&self) -> LinkError {
+        let what = match self.text.trim() {
+            "" if self.ended => format!(
+                "it ended the connection at once, as a controller does whose {} streams are all in use",
+                COMMAND_STREAMS.count()
+            ),
+            "" => "nothing comes".to_owned(),
+            // Only there a line ends with its group of four bytes.
+            text if text.ends_with("ECHO 1") => format!("{text:?}, as a port for packets does"),
+            text => format!("{:?}", text.chars().take(60).collect::<String>()),
+        };
+        LinkError::NoPrompt { endpoint: self.name.clone(), what }
     }
 
     /// Whether packets are possible.
@@ -156,13 +161,7 @@ impl<T: Transport> Connection<T> {
         if !self.settle()? {
             self.write(b"ECHO 1\r", "ECHO 1")?;
             if !self.settle()? {
-                let what = match self.text.trim() {
-                    "" => "nothing comes".to_owned(),
-                    // Only there a line ends with its group of four bytes.
-                    text if text.ends_with("ECHO 1") => format!("{text:?}, as a port for packets does"),
-                    text => format!("{:?}", text.chars().take(60).collect::<String>()),
-                };
-                return Err(LinkError::NoPrompt { endpoint: self.name.clone(), what });
+                return Err(self.no_prompt());
             }
         }
         self.in_step = true;
@@ -189,12 +188,13 @@ impl<T: Transport> Connection<T> {
         }
     }
 
-    /// Reads until a prompt is followed by silence. False when none comes.
+    /// Reads until a prompt is followed by silence, or the time of two answers is over without any. False when none comes.
     fn settle(&mut self) -> Result<bool, LinkError> {
+        let begun = Instant::now();
         loop {
-            let at_prompt = matches!(progress(&self.text, "", false), Progress::Whole(..));
+            let at_prompt = is_at_prompt(&self.text);
             let longest = if at_prompt { QUIET } else { self.settings.answer };
-            if !self.more(longest, "")? {
+            if !self.more(longest, "")? || begun.elapsed() > self.settings.answer * 2 {
                 return Ok(at_prompt);
             }
         }
@@ -270,21 +270,30 @@ impl<T: Transport> Connection<T> {
     fn read_on(&mut self, longest: Duration, line: &str, found: Found<'_>) -> Result<bool, LinkError> {
         // Counted by what the transport was given, so that one that keeps a time of its own decides how long that is.
         let mut left = longest;
-        let mut buffer = [0; 4096];
+        let mut buffer = [0; 16 * 1024];
         loop {
             if (self.settings.interrupted)() {
                 return Err(LinkError::Interrupted);
             }
             let beat = left.min(BEAT);
             match self.transport.read_within(&mut buffer, beat) {
-                Ok(Some(0)) => return Err(LinkError::Closed { line: line.to_owned() }),
+                Ok(Some(0)) => {
+                    self.ended = true;
+                    return Err(LinkError::Closed { line: line.to_owned() });
+                }
                 Ok(Some(count)) => {
                     self.take_in(buffer.get(..count).unwrap_or_default(), found);
+                    if self.text.len() > LONGEST_ANSWER {
+                        return Err(LinkError::Endless { line: line.to_owned(), bytes: LONGEST_ANSWER });
+                    }
                     return Ok(true);
                 }
                 Ok(None) if left <= beat => return Ok(false),
                 Ok(None) => left -= beat,
-                Err(reason) => return Err(LinkError::Broken { line: line.to_owned(), reason }),
+                Err(reason) => {
+                    self.ended = true;
+                    return Err(LinkError::Broken { line: line.to_owned(), reason });
+                }
             }
         }
     }
@@ -313,6 +322,8 @@ impl<T: Transport> Connection<T> {
         requests: &[Request<'_>],
         mut answered: impl FnMut(usize, &Reply<'_>),
     ) -> Result<(), LinkError> {
+        // Text that comes in between answers nothing, and is not kept for who asks for packets all day.
+        self.text.clear();
         let mut next = 0;
         for chunk in requests.chunks(WINDOW) {
             self.post(chunk)?;
@@ -374,45 +385,5 @@ impl<T: Transport> Console for Connection<T> {
         // Without an echo, what the key brings could be taken for the next answer.
         self.in_step &= self.echo;
         result
-    }
-}
-
-/// Whether a line can be sent as one line.
-fn check(line: &str) -> Result<(), LinkError> {
-    let problem = if line.contains(['\r', '\n']) {
-        "it is more than one line"
-    } else if line.chars().any(|character| character.is_control() && character != '\t') {
-        "it has a control character"
-    } else if line.chars().any(|character| u8::try_from(character).is_err()) {
-        "it has a character that Latin-1 lacks"
-    } else {
-        return Ok(());
-    };
-    Err(LinkError::NotSendable { line: line.escape_debug().to_string(), problem })
-}
-
-/// Whether a reply is the answer to a request: the controller repeats what was asked for.
-fn answers(request: &Request<'_>, reply: &Reply<'_>) -> bool {
-    match (request, reply) {
-        (Request::Data(asked), Reply::Data(data)) => *asked == data.request(),
-        (Request::GetLong { parameter: asked }, Reply::Long { parameter, .. })
-        | (Request::GetSingle { parameter: asked }, Reply::Single { parameter, .. })
-        | (Request::ParameterAddress { parameter: asked }, Reply::ParameterAddress { parameter, .. }) => {
-            asked == parameter
-        }
-        (Request::Peek(_), Reply::Peek(_)) => true,
-        (Request::Address(asked), Reply::Address { request, .. }) => asked == request,
-        _ => false,
-    }
-}
-
-/// What is asked for, in words.
-fn what(request: Option<&Request<'_>>) -> String {
-    match request {
-        Some(Request::GetLong { parameter } | Request::GetSingle { parameter }) => format!("get P{parameter}"),
-        Some(Request::SetLong { parameter, .. } | Request::SetSingle { parameter, .. }) => format!("set P{parameter}"),
-        Some(Request::Data(data)) => format!("get group {:#04x}, index {}", data.group, data.index),
-        Some(request) => format!("{request:?}"),
-        None => "no packet".to_owned(),
     }
 }

@@ -46,6 +46,14 @@ pub enum LinkError {
         /// What the system says.
         reason: io::Error,
     },
+    /// What comes has no end.
+    #[error("the answer to `{line}` has no end: more than {bytes} bytes came without a prompt")]
+    Endless {
+        /// The line that was sent, or what was asked for by a packet.
+        line: String,
+        /// How much is read at most.
+        bytes: usize,
+    },
     /// The controller does not do what a line says.
     #[error("the controller refused `{line}`: {text}")]
     Refused {

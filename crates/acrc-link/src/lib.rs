@@ -17,14 +17,17 @@ mod endpoint;
 mod error;
 pub mod fast_status;
 pub mod motion;
+mod question;
 mod reply;
+mod settings;
 mod transport;
 pub mod values;
 
 pub use answer::{Answer, parse_prompt};
-pub use connection::{Connection, ESCAPE, Settings};
+pub use connection::{Connection, ESCAPE};
 pub use console::Console;
 pub use endpoint::{Endpoint, EndpointError, Protocol};
 pub use error::LinkError;
 pub use reply::split_prompt;
+pub use settings::Settings;
 pub use transport::{Tcp, Transport};

@@ -29,15 +29,20 @@ pub(crate) fn progress(text: &str, line: &str, echo: bool) -> Progress {
     let Some(body) = body else { return Progress::Partial };
     let last = body.rfind('\n').map_or(0, |place| place + 1);
     let (lines, tail) = body.split_at(last);
-    // Without an echo nothing says whether the answer begins on a line of its own.
-    let lines: Vec<String> = lines.lines().map(|line| line.trim_end_matches('\r').to_owned()).collect();
+    // Only now, since a long answer is looked at often before its prompt is there.
+    let lines = || lines.lines().map(|line| line.trim_end_matches('\r').to_owned());
     if let Some(level) = parse_prompt(tail) {
-        return Progress::Whole(lines, level);
+        return Progress::Whole(lines().collect(), level);
     }
     match split_prompt(tail) {
-        Some((open, level)) => Progress::MaybeWhole(lines.into_iter().chain([open.to_owned()]).collect(), level),
+        Some((open, level)) => Progress::MaybeWhole(lines().chain([open.to_owned()]).collect(), level),
         None => Progress::Partial,
     }
+}
+
+/// Whether the last line of a text is a prompt.
+pub(crate) fn is_at_prompt(text: &str) -> bool {
+    parse_prompt(text.rsplit('\n').next().unwrap_or_default()).is_some()
 }
 
 /// What stands in front of a prompt at the end of a text, and the level of the prompt. Text may look like one: `(P12>`.

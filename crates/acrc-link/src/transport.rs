@@ -2,12 +2,15 @@
 
 use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::net::{Shutdown, SocketAddr, TcpStream, ToSocketAddrs as _};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use crate::{Endpoint, LinkError};
 
 /// How long the other side may take to end a connection that was ended here.
 const FAREWELL: Duration = Duration::from_millis(500);
+/// The longest time between two looks at whether the user gives up.
+pub(crate) const BEAT: Duration = Duration::from_millis(50);
 /// The pause before a second attempt to connect; each further one is twice as long.
 const FIRST_PAUSE: Duration = Duration::from_millis(250);
 /// The longest of these pauses.
@@ -53,19 +56,35 @@ impl Tcp {
         let mut pause = FIRST_PAUSE;
         let mut left = retries;
         loop {
-            let reason = match Self::attempt(&endpoint.host, port, longest) {
-                Ok(tcp) => return Ok(tcp),
-                Err(reason) => reason,
+            let reason = match Self::attempt_unless(interrupted, &endpoint.host, port, longest) {
+                None => return Err(LinkError::Interrupted),
+                Some(Ok(tcp)) => return Ok(tcp),
+                Some(Err(reason)) => reason,
             };
-            if interrupted() {
-                return Err(LinkError::Interrupted);
-            }
             if left == 0 {
                 return Err(LinkError::Connect { endpoint: endpoint.at(port).to_string(), reason });
             }
             left -= 1;
-            std::thread::sleep(pause);
+            if !pause_for(pause, interrupted) {
+                return Err(LinkError::Interrupted);
+            }
             pause = (pause * 2).min(LONGEST_PAUSE);
+        }
+    }
+
+    /// An attempt that is left to itself when the user gives up: neither a name server nor a host that is not there can be
+    /// told to hurry. `None` when the user did.
+    fn attempt_unless(interrupted: fn() -> bool, host: &str, port: u16, longest: Duration) -> Option<io::Result<Self>> {
+        let (sender, receiver) = mpsc::channel();
+        let host = host.to_owned();
+        std::thread::spawn(move || sender.send(Self::attempt(&host, port, longest)));
+        loop {
+            match receiver.recv_timeout(BEAT) {
+                Ok(_) | Err(RecvTimeoutError::Timeout) if interrupted() => return None,
+                Ok(result) => return Some(result),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return Some(Err(io::Error::other("the attempt failed"))),
+            }
         }
     }
 
@@ -79,6 +98,19 @@ impl Tcp {
         }
         Err(reason)
     }
+}
+
+/// Waits, unless the user gives up. False when the user did.
+fn pause_for(time: Duration, interrupted: fn() -> bool) -> bool {
+    let end = Instant::now() + time;
+    while !interrupted() {
+        let left = end.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return true;
+        }
+        std::thread::sleep(left.min(BEAT));
+    }
+    false
 }
 
 fn connect_to(address: &SocketAddr, longest: Duration) -> io::Result<TcpStream> {

@@ -72,6 +72,49 @@ fn nothing_answers() {
 }
 
 #[test]
+fn a_controller_without_a_free_stream_ends_the_connection() {
+    let error = Script::new([]).then_closed().connect().err().expect("it is closed");
+    assert_eq!(
+        error.to_string(),
+        "script:5002 accepted the connection but shows no prompt: it ended the connection at once, as a controller \
+         does whose 4 streams are all in use"
+    );
+}
+
+#[test]
+fn a_web_server_is_quoted() {
+    let error = Script::new(["HTTP/1.1 400 Bad Request\r\n"]).then_closed().connect().err().expect("that is no prompt");
+    assert!(error.to_string().ends_with("shows no prompt: \"HTTP/1.1 400 Bad Request\""), "{error}");
+}
+
+/// Sends the same for ever, as fast as it is read.
+struct Endless(&'static [u8]);
+
+impl Transport for Endless {
+    fn read_within(&mut self, buffer: &mut [u8], _: Duration) -> io::Result<Option<usize>> {
+        for (place, byte) in buffer.iter_mut().zip(self.0.iter().cycle()) {
+            *place = *byte;
+        }
+        Ok(Some(buffer.len()))
+    }
+
+    fn write_within(&mut self, _: &[u8], _: Duration) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn what_has_no_end_is_given_up() {
+    for text in [&b"x"[..], b"1\r\n", b"\r\nSYS>", b"\xff\x00\r"] {
+        for protocol in [Protocol::Text, Protocol::Mixed] {
+            let opened = Connection::over(Endless(text), "endless:5002".to_owned(), protocol, Settings::default());
+            let error = opened.err().expect("that is no controller");
+            assert!(matches!(error, LinkError::NoPrompt { .. } | LinkError::NotUnderstood { .. }), "{text:?}: {error}");
+        }
+    }
+}
+
+#[test]
 fn something_else_answers() {
     let error = Script::new(["SSH-2.0-OpenSSH_9.6\r\n"]).connect().err().expect("that is no prompt");
     assert!(error.to_string().ends_with("shows no prompt: \"SSH-2.0-OpenSSH_9.6\""), "{error}");
@@ -80,7 +123,7 @@ fn something_else_answers() {
 #[test]
 fn the_other_side_closes() {
     let error = Script::new([]).then_closed().connect().err().expect("it is closed");
-    assert!(matches!(error, LinkError::Closed { .. }));
+    assert!(matches!(error, LinkError::NoPrompt { .. }), "{error}");
     let mut console = Script::greeting([]).then_closed().connect().expect("a prompt");
     let error = console.command("VEL").expect_err("it is closed");
     assert_eq!(error.to_string(), "the controller closed the connection while the answer to `VEL` was waited for");
