@@ -77,7 +77,10 @@ impl<T: Transport> Connection<T> {
         };
         match connection.synchronize() {
             Ok(()) => Ok(connection),
-            Err(LinkError::Closed { .. } | LinkError::Broken { .. } | LinkError::Endless { .. }) => {
+            // Behind a prompt it is an answer that does not come.
+            Err(LinkError::Closed { .. } | LinkError::Broken { .. } | LinkError::Endless { .. })
+                if !connection.in_step && !is_at_prompt(&connection.text) =>
+            {
                 Err(connection.no_prompt())
             }
             Err(error) => Err(error),

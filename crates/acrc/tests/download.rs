@@ -118,6 +118,23 @@ fn mistakes_stop_it_before_a_connection_is_made() {
 }
 
 #[test]
+fn a_program_is_told_that_nothing_could_be_sent() {
+    let bench = Bench::new();
+    bench.file("machine.8K", MACHINE);
+    // Whoever asks is turned away, as by a controller whose streams are all in use.
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
+    let to = listener.local_addr().expect("an address").to_string();
+    std::thread::spawn(move || listener.incoming().for_each(drop));
+    let run = bench.acrc(["download", "machine.8K", "--to", &to, "--yes", "--json"]).expect(2);
+    let last: Value = serde_json::from_str(run.stdout.lines().last().expect("a line")).expect("JSON");
+    assert_eq!(last["event"], "refused");
+    let text = last["objections"][0]["text"].as_str().expect("a text");
+    assert!(text.contains("shows no prompt"), "{text}");
+    let run = bench.acrc(["download", "machine.8K", "--to", &to, "--yes", "--run=PROGX"]).expect(2);
+    assert!(run.stderr.starts_with("error: --run=PROGX: "), "{}", run.stderr);
+}
+
+#[test]
 fn a_refused_line_is_shown_in_the_source() {
     let (bench, server) = (Bench::new(), Server::start());
     bench.file("machine.8K", MACHINE);

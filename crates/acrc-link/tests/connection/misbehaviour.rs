@@ -109,7 +109,7 @@ fn what_has_no_end_is_given_up() {
         for protocol in [Protocol::Text, Protocol::Mixed] {
             let opened = Connection::over(Endless(text), "endless:5002".to_owned(), protocol, Settings::default());
             let error = opened.err().expect("that is no controller");
-            assert!(matches!(error, LinkError::NoPrompt { .. } | LinkError::NotUnderstood { .. }), "{text:?}: {error}");
+            assert!(matches!(error, LinkError::NoPrompt { .. } | LinkError::Endless { .. }), "{text:?}: {error}");
         }
     }
 }

@@ -121,10 +121,10 @@ pub(crate) struct SetArguments {
 /// `acrc reset-kamr`
 #[derive(Args, Debug)]
 #[command(
-    after_help = "After a fault, a limit or Ctrl-X, the flags Kill All Motion Request of the axes and Kill All Moves of\n\
-                        the masters keep every motion from starting until they are cleared. Ctrl-Y clears all of them and\n\
-                        moves nothing by itself; a program that waits for the flags may go on, so that needs --yes or an\n\
-                        answer at the terminal. A cause that is still there sets them again: that is reported.\n\n\
+    after_help = "After a fault, a limit or Ctrl-X, the flags Kill All Motion Request of the axes and Kill All Moves\n\
+                        of the masters keep every motion from starting until they are cleared. Ctrl-Y clears all of them\n\
+                        and moves nothing by itself; a program that waits for the flags may go on, so that needs --yes or\n\
+                        an answer at the terminal. A cause that is still there sets them again: that is reported.\n\n\
                         Examples:\n  \
                         acrc reset-kamr --to 192.168.10.40\n  \
                         acrc reset-kamr --to 192.168.10.40 --show\n\n\

@@ -10,10 +10,10 @@ use super::link::ToArguments;
 #[derive(Args, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "independent switches of the command line")]
 #[command(
-    after_help = "First the project is checked: errors of the linter or the compiler, programs without memory and lines\n\
-                        that cannot be sent stop it before a connection is made. Then the controller is asked what it has\n\
-                        and does. It is left alone while a program runs (--halt halts all), something moves, or a drive is\n\
-                        enabled (--with-drives-enabled allows it).\n\n\
+    after_help = "First the project is checked: errors of the linter or the compiler, programs without memory and\n\
+                        lines that cannot be sent stop it before a connection is made. Then the controller is asked what it\n\
+                        has and does. It is left alone while a program runs (--halt halts all), something moves, or a drive\n\
+                        is enabled (--with-drives-enabled allows it).\n\n\
                         What will be erased is shown, and has to be confirmed at the terminal or with --yes. The files are\n\
                         sent in their order, and the answer to every line is looked at. Where the setup shares out memory\n\
                         (DIM PROG0 ...) but does not make room for that, NEW ALL, CLEAR and DETACH ALL come first.\n\
@@ -86,10 +86,11 @@ pub(crate) enum SaveArgument {
 /// `acrc upload`
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Each program becomes a file (Prog0.8K, PLC0.8K), memory, aliases and attachments become Setup.8K, so that the\n\
-                        folder is a project. A controller keeps no setup code: what else it has been told (gains, PPU, limits)\n\
-                        is not in it. A controller keeps no apostrophe comments either. With --project, lines that are the\n\
-                        same there are written as they stand in that project, with the comments above and behind them.\n\n\
+    after_help = "Each program becomes a file (Prog0.8K, PLC0.8K), memory, aliases and attachments become Setup.8K, so\n\
+                        that the folder is a project. A controller keeps no setup code: what else it has been told (gains,\n\
+                        PPU, limits) is not in it. A controller keeps no apostrophe comments either. With --project, lines\n\
+                        that are the same there are written as they stand in that project, with the comments above and\n\
+                        behind them.\n\n\
                         Examples:\n  \
                         acrc upload --to 192.168.10.40 --out cell4/\n  \
                         acrc upload --to 192.168.10.40 --out cell4/ --project machine/\n\n\
@@ -115,8 +116,8 @@ pub(crate) struct UploadArguments {
 /// `acrc diff`
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Programs are compared as they are stored: comments, blanks and the case of words do not count. Lines with\n\
-                        - are those of the project, lines with + those of the controller.\n\n\
+    after_help = "Programs are compared as they are stored: comments, blanks and the case of words do not count. Lines\n\
+                        with - are those of the project, lines with + those of the controller.\n\n\
                         Examples:\n  \
                         acrc diff machine/ --to 192.168.10.40\n  \
                         acrc diff machine/ --to cell4 --json\n\n\

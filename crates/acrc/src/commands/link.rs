@@ -1,8 +1,10 @@
 //! What the commands that speak to a controller share: the connection, Ctrl-C, names, confirmation.
 
-use std::io::{BufRead as _, IsTerminal as _, Write as _};
+use std::io::{BufRead as _, IsTerminal as _};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
 use acrc_catalog::{ObjectKind, OperandClass};
 use acrc_image::{Alias, Node};
@@ -14,7 +16,10 @@ use super::project::{compile, load};
 use super::sim::attached_axes;
 use crate::cli::{NameArguments, ToArguments};
 use crate::exit::Exit;
-use crate::output::Terminal;
+use crate::output::{Terminal, tell};
+
+/// The longest time between two looks at whether the user gives up.
+const BEAT: Duration = Duration::from_millis(50);
 
 /// Ctrl-C was pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -73,15 +78,39 @@ fn register(alias: &Alias) -> Option<Register> {
     }
 }
 
+/// What was answered to a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Consent {
+    Given,
+    Denied,
+    /// Ctrl-C.
+    Interrupted,
+}
+
 /// Asks at the terminal. Without one, what needs an answer is not done.
-pub(super) fn confirm(question: &str, without: &str) -> anyhow::Result<bool> {
+pub(super) fn confirm(question: &str, without: &str) -> anyhow::Result<Consent> {
     let stdin = std::io::stdin();
     if !stdin.is_terminal() {
         anyhow::bail!("{without}: add --yes");
     }
-    let mut err = std::io::stderr().lock();
-    write!(err, "{question} [y/N] ").and_then(|()| err.flush()).context("cannot ask")?;
-    let mut answer = String::new();
-    stdin.lock().read_line(&mut answer).context("cannot read the answer")?;
-    Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
+    tell(|err| write!(err, "{question} [y/N] ").and_then(|()| err.flush()));
+    // Ctrl-C does not end the reading of a line. The thread that waits for one ends with the process.
+    let (sender, answers) = mpsc::channel();
+    std::thread::spawn(move || {
+        let mut answer = String::new();
+        sender.send(stdin.lock().read_line(&mut answer).map(|_| answer))
+    });
+    loop {
+        let answer = match answers.recv_timeout(BEAT) {
+            _ if interrupted() => {
+                tell(|err| writeln!(err));
+                return Ok(Consent::Interrupted);
+            }
+            Err(RecvTimeoutError::Timeout) => continue,
+            Ok(answer) => answer.context("cannot read the answer")?,
+            Err(RecvTimeoutError::Disconnected) => anyhow::bail!("cannot read the answer"),
+        };
+        let given = matches!(answer.trim(), "y" | "Y" | "yes");
+        return Ok(if given { Consent::Given } else { Consent::Denied });
+    }
 }

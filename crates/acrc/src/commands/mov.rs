@@ -8,7 +8,7 @@ use acrc_link::{Connection, LinkError, Protocol, Tcp};
 use anyhow::bail;
 use serde_json::json;
 
-use super::link::{confirm, connect, failed, interrupted, watch_interrupt};
+use super::link::{Consent, confirm, connect, failed, interrupted, watch_interrupt};
 use crate::cli::{ColorChoice, MoveArguments};
 use crate::exit::{Exit, note};
 use crate::output::{Terminal, print};
@@ -58,8 +58,10 @@ fn ordered(arguments: &MoveArguments, connection: &mut Connection<Tcp>, terminal
     }
     if !arguments.yes {
         let plan = plan(&group, connection, &axes, &arguments.targets).map_err(MoveError::Link)?;
-        if !confirm(&format!("{plan}\nMove at {}?", arguments.to.to), "a move has to be confirmed")? {
-            bail!("nothing was moved");
+        match confirm(&format!("{plan}\nMove at {}?", arguments.to.to), "a move has to be confirmed")? {
+            Consent::Given => {}
+            Consent::Denied => bail!("nothing was moved"),
+            Consent::Interrupted => return Ok(Exit::Interrupted),
         }
     }
     if interrupted() {

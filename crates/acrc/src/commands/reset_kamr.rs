@@ -6,7 +6,7 @@ use acrc_link::{Connection, Console as _, LinkError, Protocol, Tcp};
 use anyhow::bail;
 use serde_json::json;
 
-use super::link::{confirm, connect, failed, watch_interrupt};
+use super::link::{Consent, confirm, connect, failed, watch_interrupt};
 use crate::cli::{ColorChoice, ResetKamrArguments};
 use crate::exit::Exit;
 use crate::output::{Terminal, print};
@@ -28,8 +28,10 @@ pub(super) fn run(arguments: &ResetKamrArguments, color: ColorChoice) -> anyhow:
     }
     if !arguments.yes {
         let question = format!("Set:\n  {}\nClear all of them at {}?", lines(&before), arguments.to.to);
-        if !confirm(&question, "clearing them lets motion start again")? {
-            bail!("nothing was cleared");
+        match confirm(&question, "clearing them lets motion start again")? {
+            Consent::Given => {}
+            Consent::Denied => bail!("nothing was cleared"),
+            Consent::Interrupted => return Ok(Exit::Interrupted),
         }
     }
     let after = connection.send_key(CLEAR_KILL).and_then(|()| set_flags(&mut connection));

@@ -6,7 +6,7 @@ use anyhow::{Context as _, bail};
 use serde_json::{Value as Json, json};
 
 use super::get::as_json;
-use super::link::{confirm, connect, failed, names, watch_interrupt};
+use super::link::{Consent, confirm, connect, failed, names, watch_interrupt};
 use crate::cli::{ColorChoice, SetArguments};
 use crate::exit::Exit;
 use crate::output::{Terminal, print};
@@ -22,16 +22,18 @@ pub(super) fn run(arguments: &SetArguments, color: ColorChoice) -> anyhow::Resul
     let terminal = Terminal::error(color);
     let Some(names) = names(&arguments.naming, terminal)? else { return Ok(Exit::Failure) };
     let orders = arguments.values.iter().map(|text| order(text, &names)).collect::<anyhow::Result<Vec<_>>>()?;
+    watch_interrupt()?;
     let risky: Vec<String> = orders.iter().filter(|order| order.risk != Risk::None).map(describe).collect();
     if !risky.is_empty() && !arguments.yes {
         let (list, what) = (risky.join("\n  "), if risky.len() == 1 { "this" } else { "these" });
         let question =
             format!("{} can act on the machine:\n  {list}\nWrite {what} to {}?", capital(what), arguments.to.to);
-        if !confirm(&question, &format!("{} can act on the machine", risky.join(", ")))? {
-            bail!("nothing was written");
+        match confirm(&question, &format!("{} can act on the machine", risky.join(", ")))? {
+            Consent::Given => {}
+            Consent::Denied => bail!("nothing was written"),
+            Consent::Interrupted => return Ok(Exit::Interrupted),
         }
     }
-    watch_interrupt()?;
     let mut connection = match connect(&arguments.to, Protocol::Text) {
         Ok(connection) => connection,
         Err(error) => return Ok(failed(error, terminal)),

@@ -242,6 +242,7 @@ impl<'a> Sheet<'a> {
                     Some((named.name.clone(), as_json(named, *value).get("value")?.clone()))
                 });
                 let values: serde_json::Map<String, Json> = values.collect();
+                let seconds = (seconds * 1e6).round() / 1e6;
                 print(|out| writeln!(out, "{}", json!({ "seconds": seconds, "values": values })))
             }
             Form::Table => {

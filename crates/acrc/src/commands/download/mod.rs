@@ -15,7 +15,7 @@ use anyhow::bail;
 
 use self::progress::Progress;
 use super::build::loadable;
-use super::link::{confirm, failed, watch_interrupt};
+use super::link::{Consent, confirm, failed, watch_interrupt};
 use super::project::{check, compile, errors_of, load, show_errors, title};
 use crate::cli::{ColorChoice, DownloadArguments, SaveArgument};
 use crate::exit::Exit;
@@ -131,7 +131,7 @@ fn to_run(arguments: &DownloadArguments, project: &LoadedProject, image: &Image)
     let units = match (named, &project.config.sim.run) {
         (Some(names), _) => names
             .split(',')
-            .map(|name| crate::cli::parse_text(name.trim()).map_err(anyhow::Error::msg))
+            .map(|name| crate::cli::parse_text(name.trim()).map_err(|error| anyhow::anyhow!("--run={name}: {error}")))
             .collect::<anyhow::Result<Vec<_>>>()?,
         (None, Some(targets)) => targets.iter().filter_map(|target| unit_of(target.0)).collect(),
         (None, None) => {
@@ -173,7 +173,10 @@ impl Order<'_> {
                     return Ok(Exit::Findings);
                 }
                 Err(Ended::Link(error)) => match broken.take() {
-                    None => return Ok(failed(error, self.terminal)),
+                    None => {
+                        show::unreached(&error, self);
+                        return Ok(failed(error, self.terminal));
+                    }
                     Some(before) => (error.to_string(), before),
                 },
                 Err(Ended::Failure(failure)) => (failure.cause.to_string(), failure),
@@ -210,8 +213,9 @@ impl Order<'_> {
             show::summary(&plan, self);
             let question = format!("Send {} to {}?", title(self.project), self.arguments.to.to);
             match confirm(&question, "a download changes the controller") {
-                Ok(true) => *confirmed = true,
-                Ok(false) => return Err(self.exit(&anyhow::anyhow!("nothing was sent"))),
+                Ok(Consent::Given) => *confirmed = true,
+                Ok(Consent::Denied) => return Err(self.exit(&anyhow::anyhow!("nothing was sent"))),
+                Ok(Consent::Interrupted) => return Err(Ended::Exit(Exit::Interrupted)),
                 Err(error) => return Err(self.exit(&error)),
             }
         }

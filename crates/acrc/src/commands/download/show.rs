@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use acrc_link::LinkError;
 use acrc_link::download::{Cause, Erased, Failure, Fate, Objection, Plan, State};
 use serde_json::{Value, json};
 
@@ -102,14 +103,23 @@ pub(super) fn plan_json(plan: &Plan, order: &Order) -> Value {
     })
 }
 
+/// For a program: nothing was sent, as the controller could not be asked.
+pub(super) fn unreached(error: &LinkError, order: &Order) {
+    refused(&[json!({ "text": error.to_string(), "help": null })], order);
+}
+
+fn refused(objections: &[Value], order: &Order) {
+    if order.arguments.json {
+        // A reader that has gone changes nothing.
+        let _ = print(|out| writeln!(out, "{}", json!({ "event": "refused", "objections": objections })));
+    }
+}
+
 /// Why nothing was sent, or nothing more since the connection broke.
 pub(super) fn objections(objections: &[Objection], order: &Order, before: Option<&Failure>) {
-    if order.arguments.json {
-        let list: Vec<Value> =
-            objections.iter().map(|one| json!({ "text": one.to_string(), "help": one.help() })).collect();
-        // A reader that has gone changes nothing.
-        let _ = print(|out| writeln!(out, "{}", json!({ "event": "refused", "objections": list })));
-    }
+    let list: Vec<Value> =
+        objections.iter().map(|one| json!({ "text": one.to_string(), "help": one.help() })).collect();
+    refused(&list, order);
     let word = order.terminal.error_word("error:");
     tell(|err| {
         for objection in objections {
