@@ -5,6 +5,7 @@ mod download;
 pub(crate) mod watchdog;
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use acrc_wire::ethernet::management::{DownloadResult, Reply, Request, Requests, passes, requests};
 use acrc_wire::{Decoder, Item};
@@ -12,7 +13,7 @@ use tokio::io::AsyncReadExt as _;
 use tokio::net::TcpStream;
 use tokio::net::tcp::WriteHalf;
 use tokio::sync::broadcast::error::RecvError;
-use tokio::time::timeout;
+use tokio::time::{sleep, timeout};
 
 use self::download::Download;
 use self::watchdog::Guards;
@@ -24,6 +25,9 @@ use crate::shared::{Phase, Shared};
 
 /// Bytes that are read at once: a block of an operating system and more.
 const CHUNK: usize = 4096;
+
+/// How long a packet waits, so that connections that were made before it are taken in.
+const DELAY: Duration = Duration::from_millis(2);
 
 /// A management connection that is served.
 struct Connection {
@@ -58,7 +62,11 @@ impl Connection {
                 reason = self.membership.dismissed() => return reason,
                 read = reader.read(&mut buffer) => match read {
                     Ok(0) => return Reason::Left,
-                    Ok(count) => self.hear(&mut decoder, buffer.get(..count).unwrap_or_default()),
+                    Ok(count) => {
+                        // A connection that a watchdog names may have been made just before, and is not taken in yet.
+                        sleep(DELAY).await;
+                        self.hear(&mut decoder, buffer.get(..count).unwrap_or_default());
+                    }
                     Err(_) => return Reason::Lost,
                 },
                 alarm = alarms.recv() => match alarm {
