@@ -29,7 +29,7 @@ mod tests {
 
     #[test]
     fn paths_come_back() {
-        for text in ["file:///work/Prog0.8K", "file:///work/a%20b/Pr%C3%BCfung.8K", "untitled:Untitled-1"] {
+        for text in ["file:///machine/Prog0.8K", "file:///machine/a%20b/Pr%C3%BCfung.8K", "untitled:Untitled-1"] {
             let uri: Uri = text.parse().expect("a URI");
             assert_eq!(uri_of(&path_of(&uri)).as_ref().map(|uri| uri.as_str()), Some(text));
         }
@@ -38,6 +38,6 @@ mod tests {
     #[test]
     fn one_file_has_one_path_however_its_uri_is_written() {
         let encoded: Uri = "file:///w%6Frk/Prog0%2E8K".parse().expect("a URI");
-        assert_eq!(path_of(&encoded), "/work/Prog0.8K");
+        assert_eq!(path_of(&encoded), "/machine/Prog0.8K");
     }
 }
