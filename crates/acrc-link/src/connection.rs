@@ -14,15 +14,24 @@ use acrc_syntax::units::Level;
 
 /// ESC: leaves what a channel shows or waits for.
 pub const ESCAPE: u8 = 0x1b;
+/// What a conversation begins with: ESC ends what the channel shows, an empty line brings the prompt. So many bytes reach also
+/// a port that takes text by four bytes, where the next line then shows what it is.
+const WAKE: [u8; GROUP] = [ESCAPE, ESCAPE, ESCAPE, b'\r'];
+/// Bytes of a packet of text, where text comes in packets.
+const GROUP: usize = 4;
 
 /// Nothing more comes for so long behind what looks like a prompt: it is one.
 const QUIET: Duration = Duration::from_millis(100);
+/// Nothing more comes for so long behind what another port than the expected one answers: it is that one.
+const CERTAIN: Duration = Duration::from_millis(500);
 /// Packets that are under way at most: their answers fit what sockets hold, so that neither side waits for the other.
 const WINDOW: usize = 256;
 /// Bytes that an answer has at most: much more than the listing of the largest program.
 const LONGEST_ANSWER: usize = 4 << 20;
 /// What is printed to see where the answers begin.
 const MARK: &str = "acrc-1";
+/// Gives a prompt to a channel that shows none.
+const ECHO: &str = "ECHO 1";
 
 /// A connection to a controller.
 pub struct Connection<T> {
@@ -40,6 +49,8 @@ pub struct Connection<T> {
     in_step: bool,
     /// The level of the last prompt.
     prompt: Level,
+    /// A packet has come.
+    packets_came: bool,
     /// The controller has ended it, or it broke.
     ended: bool,
 }
@@ -73,6 +84,7 @@ impl<T: Transport> Connection<T> {
             echo: false,
             in_step: false,
             prompt: Level::System,
+            packets_came: false,
             ended: false,
         };
         match connection.synchronize() {
@@ -95,11 +107,20 @@ impl<T: Transport> Connection<T> {
                 COMMAND_STREAMS.count()
             ),
             "" => "nothing comes".to_owned(),
-            // Only there a line ends with its group of four bytes.
-            text if text.ends_with("ECHO 1") => format!("{text:?}, as a port for packets does"),
+            text if self.takes_groups(text) => "it takes text by four bytes only, as a port for packets does (5006): \
+                                                --packets speaks to it"
+                .to_owned(),
             text => format!("{:?}", text.chars().take(60).collect::<String>()),
         };
         LinkError::NoPrompt { endpoint: self.name.clone(), what }
+    }
+
+    /// Whether a line was taken only as far as it fills whole groups of bytes: the end of it, which brings the answer, is missing.
+    fn takes_groups(&self, text: &str) -> bool {
+        let mark = mark_line();
+        let whole = |line: &str| line.get(..line.len() / GROUP * GROUP).is_some_and(|begin| text.ends_with(begin));
+        // Where nothing came at first, all that was sent before counts as well.
+        self.channel.is_none() && (whole(&mark) || text.ends_with(ECHO))
     }
 
     /// Whether packets are possible.
@@ -155,20 +176,20 @@ impl<T: Transport> Connection<T> {
 
     /// Brings the channel to a prompt, and finds out whether it echoes.
     ///
-    /// ESC ends what the channel shows, an empty line brings the prompt. A channel without a prompt is given one.
+    /// A channel without a prompt is given one.
     fn synchronize(&mut self) -> Result<(), LinkError> {
         self.in_step = false;
         self.echo = false;
         self.text.clear();
-        self.write(&[ESCAPE, b'\r'], "")?;
+        self.write(&WAKE, "")?;
         if !self.settle()? {
-            self.write(b"ECHO 1\r", "ECHO 1")?;
+            self.write_line(ECHO)?;
             if !self.settle()? {
                 return Err(self.no_prompt());
             }
         }
         self.in_step = true;
-        let line = format!("? \"{MARK}\"");
+        let line = mark_line();
         self.text.clear();
         self.write_line(&line)?;
         loop {
@@ -184,9 +205,12 @@ impl<T: Transport> Connection<T> {
                 }
                 _ => {}
             }
-            if !self.more(self.settings.answer, &line)? {
+            let suspicious = self.takes_groups(&self.text);
+            let longest = if suspicious { CERTAIN.min(self.settings.answer) } else { self.settings.answer };
+            if !self.more(longest, &line)? {
                 self.in_step = false;
-                return Err(LinkError::Timeout { line, after: self.settings.answer });
+                let timeout = LinkError::Timeout { line, after: self.settings.answer };
+                return Err(if suspicious { self.no_prompt() } else { timeout });
             }
         }
     }
@@ -196,7 +220,11 @@ impl<T: Transport> Connection<T> {
         let begun = Instant::now();
         loop {
             let at_prompt = is_at_prompt(&self.text);
-            let longest = if at_prompt { QUIET } else { self.settings.answer };
+            let longest = match at_prompt {
+                true => QUIET,
+                false if self.takes_groups(&self.text) => CERTAIN.min(self.settings.answer),
+                false => self.settings.answer,
+            };
             if !self.more(longest, "")? || begun.elapsed() > self.settings.answer * 2 {
                 return Ok(at_prompt);
             }
@@ -330,7 +358,10 @@ impl<T: Transport> Connection<T> {
         let mut next = 0;
         for chunk in requests.chunks(WINDOW) {
             self.post(chunk)?;
-            let end = next + chunk.len();
+            let (begin, end) = (next, next + chunk.len());
+            let typed = if self.packets_came { String::new() } else { self.as_typed(chunk) };
+            // What came is what a port for text makes of packets.
+            let mut echoed = false;
             while next < end {
                 let waited = what(requests.get(next));
                 let mut wrong = None;
@@ -342,16 +373,32 @@ impl<T: Transport> Connection<T> {
                     Ok(reply) => wrong = Some(format!("{reply:?}")),
                     Err(problem) => wrong = Some(problem),
                 };
-                let came = self.read_on(self.settings.answer, &waited, &mut found)?;
+                let longest = if echoed { CERTAIN.min(self.settings.answer) } else { self.settings.answer };
+                let came = self.read_on(longest, &waited, &mut found)?;
                 if let Some(answer) = wrong {
                     return Err(LinkError::NotUnderstood { line: waited, answer });
+                }
+                self.packets_came |= next > begin;
+                let text_only = !self.packets_came && !self.text.is_empty();
+                if !came && text_only {
+                    return Err(LinkError::TextOnly { endpoint: self.name.clone(), line: waited });
                 }
                 if !came {
                     return Err(LinkError::Timeout { line: waited, after: self.settings.answer });
                 }
+                echoed = text_only && self.text == typed;
             }
         }
         Ok(())
+    }
+
+    /// What an echo shows of packets that are taken for text.
+    fn as_typed(&self, requests: &[Request<'_>]) -> String {
+        let mut bytes = Vec::new();
+        if let Some((channel, _)) = &self.channel {
+            requests.iter().for_each(|request| channel.request(request, &mut bytes));
+        }
+        bytes.into_iter().filter(|byte| matches!(byte, b' '..=b'~')).map(char::from).collect()
     }
 
     /// Sends packets. Those that are not answered are done with that.
@@ -369,6 +416,11 @@ impl<T: Transport> Connection<T> {
         }
         self.write_bytes(&bytes, &line)
     }
+}
+
+/// Prints what shows where the answers begin.
+fn mark_line() -> String {
+    format!("? \"{MARK}\"")
 }
 
 /// Is given each packet that comes, or why it cannot be read.

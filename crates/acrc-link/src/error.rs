@@ -24,6 +24,17 @@ pub enum LinkError {
         /// What came instead.
         what: String,
     },
+    /// Packets are answered with text.
+    #[error(
+        "{endpoint} answers packets with text (at `{line}`), as a port for text does (5002): --text speaks text to it, and \
+         packets go to the port that stands for 5006"
+    )]
+    TextOnly {
+        /// `HOST:PORT`
+        endpoint: String,
+        /// What was asked for by a packet.
+        line: String,
+    },
     /// No complete answer came in time.
     #[error("timed out after {} s waiting for the answer to `{line}`", .after.as_secs_f64())]
     Timeout {

@@ -1,10 +1,13 @@
 //! Lines that are cut, silent, or speak something else.
 
+use std::cell::Cell;
 use std::collections::VecDeque;
 use std::io;
+use std::rc::Rc;
 use std::time::Duration;
 
 use acrc_link::{Connection, Console as _, LinkError, Protocol, Settings, Transport};
+use acrc_wire::Request;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -159,7 +162,7 @@ fn a_broken_line_is_an_error() {
             console.command("PROG0")?;
             console.command("DIM LV(10)")
         });
-        let sent = "\u{1b}\r? \"acrc-1\"\r? 1\rPROG0\rDIM LV(10)\r".len();
+        let sent = "\u{1b}\u{1b}\u{1b}\r? \"acrc-1\"\r? 1\rPROG0\rDIM LV(10)\r".len();
         assert_eq!(result.is_err_and(|error| error.is_broken()), bytes < sent, "{bytes}");
     }
     assert_eq!(machine.connect().command("? 1").and_then(|answer| answer.number()).ok(), Some(1.0));
@@ -178,4 +181,75 @@ proptest! {
             }
         }
     }
+}
+
+/// A port that takes so many bytes at a time, and echoes what it has taken.
+struct Groups {
+    size: usize,
+    taken: Vec<u8>,
+    pending: VecDeque<u8>,
+    /// How long was waited in vain.
+    waited: Rc<Cell<Duration>>,
+}
+
+impl Groups {
+    fn of(size: usize) -> (Self, Rc<Cell<Duration>>) {
+        let waited = Rc::<Cell<Duration>>::default();
+        (Self { size, taken: Vec::new(), pending: VecDeque::new(), waited: waited.clone() }, waited)
+    }
+}
+
+impl Transport for Groups {
+    fn read_within(&mut self, buffer: &mut [u8], longest: Duration) -> io::Result<Option<usize>> {
+        let count = buffer.len().min(self.pending.len());
+        for (place, byte) in buffer.iter_mut().zip(self.pending.drain(..count)) {
+            *place = byte;
+        }
+        if count == 0 {
+            self.waited.set(self.waited.get() + longest);
+        }
+        Ok((count > 0).then_some(count))
+    }
+
+    fn write_within(&mut self, bytes: &[u8], _: Duration) -> io::Result<()> {
+        self.taken.extend(bytes);
+        let whole = self.taken.len() / self.size * self.size;
+        for byte in self.taken.drain(..whole) {
+            match byte {
+                b'\r' => self.pending.extend(b"\r\nSYS>"),
+                b' '..=b'~' => self.pending.push_back(byte),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn text_at_a_port_for_packets_is_told() {
+    let (port, waited) = Groups::of(4);
+    let opened = Connection::over(port, "the machine".to_owned(), Protocol::Text, Settings::default());
+    assert_eq!(
+        opened.err().expect("it is no port for text").to_string(),
+        "the machine accepted the connection but shows no prompt: it takes text by four bytes only, as a port for packets \
+         does (5006): --packets speaks to it"
+    );
+    assert!(waited.get() < Duration::from_secs(1), "{:?}", waited.get());
+}
+
+#[test]
+fn packets_at_a_port_for_text_are_told() {
+    let (port, waited) = Groups::of(1);
+    let opened = Connection::over(port, "the machine".to_owned(), Protocol::Mixed, Settings::default());
+    let mut connection = opened.expect("a prompt");
+    let error = connection.ask(&[Request::GetLong { parameter: 0x3041 }], |_, _| {}).expect_err("no packet comes");
+    assert_eq!(
+        error.to_string(),
+        "the machine answers packets with text (at `get P12353`), as a port for text does (5002): --text speaks text to it, \
+         and packets go to the port that stands for 5006"
+    );
+    assert!(waited.get() < Duration::from_secs(1), "{:?}", waited.get());
+    // One that shows nothing of it is asked for as long as ever.
+    let error = connection.ask(&[Request::GetLong { parameter: 0x1000 }], |_, _| {}).expect_err("no packet comes");
+    assert!(matches!(error, LinkError::Timeout { .. }), "{error}");
 }
