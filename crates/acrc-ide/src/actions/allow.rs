@@ -2,11 +2,10 @@
 
 use acrc_diagnostics::{Applicability, Diagnostic, Edit, Severity, Span};
 use acrc_lint::{Group, RuleDoc};
-use acrc_syntax::ast::{Line, StatementKind};
+use acrc_syntax::ast::Line;
 
 use super::{ActionKind, CodeAction, Request};
 use crate::edits::{indent_at, line_break};
-use crate::folding::statements_of;
 use crate::place::line_at;
 
 pub(super) fn add(request: &Request<'_>, found: &[&Diagnostic], actions: &mut Vec<CodeAction>) {
@@ -40,18 +39,14 @@ fn may_be_allowed(doc: &RuleDoc, finding: &Diagnostic) -> bool {
     !is_refused && !matches!(doc.group, Group::Suppressions | Group::Compile)
 }
 
-/// Behind the statements of the line, or on a line of its own above, where a remark or a comment ends the line.
+/// In the comment that allows something already, or else on a line of its own above: the controller takes no apostrophe
+/// behind a statement.
 fn on_line(request: &Request<'_>, line: &Line, name: &str) -> Edit {
-    let statements = statements_of(request.tree, line);
-    let ends_with_remark =
-        statements.last().is_some_and(|last| matches!(last.kind, StatementKind::Remark(_) | StatementKind::Error));
-    if let Some(list) = line.comment.and_then(|comment| allowed_list(request, comment)) {
+    let above = line.span.start.checked_sub(1).and_then(|end| request.tree.lines().get(line_at(request.tree, end)));
+    let above = above.filter(|above| above.statements.is_empty());
+    let mut comments = [Some(line), above].into_iter().flatten().filter_map(|line| line.comment);
+    if let Some(list) = comments.find_map(|comment| allowed_list(request, comment)) {
         return Edit::insert(list, format!(", {name}"));
-    }
-    if line.comment.is_none() && !ends_with_remark && !statements.is_empty() {
-        let code = request.slice(line.span).trim_end_matches([' ', '\t']);
-        let end = Span::new(line.span.start + code.len() as u32, line.span.end);
-        return Edit::replace(end, format!(" ' acrc: allow({name})"));
     }
     let (indent, end) =
         (indent_at(request.text, request.tree, line.span.start), line_break(request.text, request.tree, 0));

@@ -4,17 +4,18 @@ use acrc_diagnostics::{Edit, Span};
 use acrc_syntax::ast::{Separator, StatementKind};
 
 use super::{ActionKind, CodeAction, Request};
+use crate::edits::{indent_at, line_break};
 
 pub(super) fn add(request: &Request<'_>, actions: &mut Vec<CodeAction>) {
     for at in request.statements() {
-        if let Some(edit) = to_comment(request, at) {
+        if let Some(edits) = to_comment(request, at) {
             let title = "Write the remark with an apostrophe, which is not stored";
-            actions.push(request.here(ActionKind::Rewrite, title, vec![edit]));
+            actions.push(request.here(ActionKind::Rewrite, title, edits));
         }
     }
 }
 
-fn to_comment(request: &Request<'_>, at: u32) -> Option<Edit> {
+fn to_comment(request: &Request<'_>, at: u32) -> Option<Vec<Edit>> {
     let tree = request.tree;
     let statement = tree.statements().get(at as usize)?;
     let StatementKind::Remark(text) = statement.kind else { return None };
@@ -24,9 +25,17 @@ fn to_comment(request: &Request<'_>, at: u32) -> Option<Edit> {
     if is_first && line.number.is_some() || statement.separator == Separator::Then {
         return None;
     }
-    let before = at.checked_sub(1).filter(|_| !is_first).and_then(|before| tree.statements().get(before as usize));
-    let start = before.map_or(statement.span.start, |before| before.span.end);
-    let blank = u32::from(request.slice(text).starts_with(' '));
-    let apostrophe = if is_first { "'" } else { " ' " };
-    Some(Edit::replace(Span::new(start, text.start + blank), apostrophe))
+    let words = text.start + u32::from(request.slice(text).starts_with(' '));
+    if is_first {
+        return Some(vec![Edit::replace(Span::new(statement.span.start, words), "'")]);
+    }
+    // The download drops lines that begin with an apostrophe; behind a statement the controller would get it.
+    let before = tree.statements().get(at.checked_sub(1)? as usize)?;
+    let comment = request.slice(Span::new(words, text.end)).trim_end();
+    let indent = indent_at(request.text, tree, line.span.start);
+    let end = line_break(request.text, tree, line.span.start);
+    Some(vec![
+        Edit::insert(line.span.start, format!("{indent}'{comment}{end}")),
+        Edit::delete(Span::new(before.span.end, text.end)),
+    ])
 }

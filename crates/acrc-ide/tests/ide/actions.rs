@@ -55,6 +55,31 @@ fn a_comment_that_allows_takes_another_name() {
 }
 
 #[test]
+fn no_action_puts_an_apostrophe_behind_a_statement() {
+    let lines = [
+        "GOTO cy$0cle",
+        "' acrc: allow(ACR102)\nGOTO cy$0cle",
+        "LV0 = 1 : GOTO cy$0cle : REM why",
+        "SET 32 : REM $0why",
+    ];
+    for line in lines {
+        let fixture = Fixture::new(&format!("PROG0\nPROGRAM\n{line}\nENDP\n"));
+        let place = fixture.cursor();
+        for action in code_actions(&fixture.db, place.project, place.file, Span::empty(place.offset)) {
+            let [(file, edits)] = action.edits.as_slice() else { panic!("{}", action.title) };
+            let after = apply(file.text(&fixture.db), &[&Fix::safe("", edits.clone())]).expect("the edits fit");
+            let repaired = Fixture::new(&format!("{after}$0"));
+            let found =
+                acrc_analysis::diagnostics(&repaired.db, repaired.project, repaired.files[0], acrc_lint::CHECKER);
+            assert!(found.iter().all(|finding| finding.code.name != "comment-after-statement"), "{after}");
+            if action.title == "Allow undefined-label on this line" {
+                assert!(found.iter().all(|finding| finding.code.name != "undefined-label"), "{after}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_missing_label_is_made() {
     insta::assert_snapshot!("a_called_label", actions("PROG0\nPROGRAM\n  GOSUB Op$0en\nENDP\n", "Create"));
     insta::assert_snapshot!("a_label_of_a_program_file", actions("=== Prog0.8K\nGOTO Op$0en\nEND", "Create"));
