@@ -6,6 +6,8 @@ use acrc_catalog::{CommandId, FunctionId, OperandClass, Shape, command, daughter
 use acrc_syntax::ast::StatementKind;
 use acrc_syntax::lexer::{Token, TokenKind};
 
+use crate::place::slice;
+
 /// The tokens of a line before a place.
 #[derive(Clone, Copy)]
 pub(crate) struct Typed<'a> {
@@ -23,6 +25,11 @@ pub(crate) enum Head {
     Group,
 }
 
+/// Whether a text has no quote at its end.
+fn is_open(text: &str) -> bool {
+    text.matches('"').count() % 2 == 1
+}
+
 impl<'a> Typed<'a> {
     /// `None` inside of a remark or a text.
     pub(crate) fn before(db: &'a dyn Db, file: SourceFile, offset: u32) -> Option<Self> {
@@ -31,7 +38,7 @@ impl<'a> Typed<'a> {
         let tokens = tokens.get(..end)?;
         let inside = tokens.last().is_some_and(|last| match last.kind {
             TokenKind::Comment | TokenKind::RemarkText => true,
-            TokenKind::String => offset < last.span.end,
+            TokenKind::String => offset < last.span.end || is_open(slice(file.text(db), last.span)),
             _ => false,
         });
         let line = tokens.iter().rposition(|token| token.kind == TokenKind::Newline).map_or(0, |newline| newline + 1);
@@ -141,7 +148,10 @@ impl<'a> Typed<'a> {
             let previous = place.checked_sub(1).and_then(|before| self.tokens.get(before));
             let define = previous.is_some_and(|previous| previous.kind == TokenKind::Hash);
             let next = match found {
-                Some((parent, end)) if end == place => daughter(parent, text),
+                // `ENC0 SRC`: the number stands between.
+                Some((parent, end)) if end == place || end + 1 == place && parent.info().shape == Shape::Object => {
+                    daughter(parent, text)
+                }
                 _ => None,
             };
             let next = next.or_else(|| if define { Some(command::DEFINE) } else { word(text)?.command });

@@ -1,7 +1,7 @@
 //! What is expected at a place.
 
 use acrc_analysis::{Db, Project, SourceFile};
-use acrc_catalog::CommandId;
+use acrc_catalog::{CommandId, Keyword};
 use acrc_diagnostics::Span;
 use acrc_syntax::lexer::TokenKind;
 use acrc_syntax::units::Level;
@@ -31,6 +31,8 @@ pub(super) enum Expected {
     Argument { id: CommandId, first: bool },
     /// A value.
     Expression,
+    /// What an alias stands for: a parameter, a flag or a variable.
+    Target,
     /// The name that `#DEFINE` introduces, and other places for something new.
     Nothing,
 }
@@ -60,27 +62,50 @@ impl<'a> Context<'a> {
         Some(Self { project, level, before, part, span, expected })
     }
 
+    /// Whether a number ends at the cursor: a word in its place would grow together with it.
+    pub(super) fn touches_number(&self) -> bool {
+        let last = self.before.tokens.last().filter(|_| self.part.is_empty());
+        last.is_some_and(|last| {
+            matches!(last.kind, TokenKind::Integer | TokenKind::Real) && last.span.end == self.span.start
+        })
+    }
+
     /// The words that are being written up to the cursor, for what is looked up by name: `kamr axis 1`. They begin behind
     /// the command or sign before them.
     pub(super) fn phrase(&self) -> (Span, &'a str) {
         let first = match self.expected {
             Expected::Argument { .. } => self.before.last_command().map_or(0, |(_, end)| end),
+            // Behind the name of the alias.
+            Expected::Target => self.before.last_command().map_or(0, |(_, end)| end + 1),
             _ => 0,
         };
+        let tokens = self.before.tokens.get(first..).unwrap_or_default();
         let mut start = self.span.start;
-        for token in self.before.tokens.iter().skip(first).rev() {
-            let known = acrc_catalog::word(self.before.slice(token));
-            let ends =
-                known.is_some_and(|word| word.operator.is_some() || word.unary.is_some() || word.keyword.is_some());
+        for (place, token) in tokens.iter().enumerate().rev() {
+            // `encoder 0 pos`, but not `X10 pos`.
+            let numbers_word = || {
+                let word = place.checked_sub(1).and_then(|before| tokens.get(before));
+                word.is_some_and(|word| word.kind == TokenKind::Word && word.span.end < token.span.start)
+            };
             match token.kind {
-                TokenKind::Word if !ends => start = token.span.start,
-                TokenKind::Integer if start < self.span.start || self.part.is_empty() => start = token.span.start,
+                TokenKind::Word if !ends_phrase(self.before.slice(token)) => start = token.span.start,
+                TokenKind::Integer if start < self.span.start || self.part.is_empty() || numbers_word() => {
+                    start = token.span.start;
+                }
                 _ => break,
             }
         }
         let span = Span::new(start, self.span.end);
         (span, self.before.text.get(span.range()).unwrap_or_default())
     }
+}
+
+/// Whether a word belongs to the statement, and not to the name of a parameter or flag: `ALL` may be either.
+fn ends_phrase(text: &str) -> bool {
+    let Some(word) = acrc_catalog::word(text) else { return false };
+    let joins =
+        matches!(word.keyword, Some(Keyword::As | Keyword::Using | Keyword::To | Keyword::Then | Keyword::Step));
+    word.operator.is_some() || word.unary.is_some() || joins
 }
 
 /// Whether digits are glued to letters before them.
@@ -123,7 +148,7 @@ fn expected(before: &Typed<'_>) -> Expected {
     }
     match before.last_command() {
         Some((acrc_catalog::command::DEFINE, used)) if used == before.tokens.len() => Expected::Nothing,
-        Some((acrc_catalog::command::DEFINE, _)) => Expected::Expression,
+        Some((acrc_catalog::command::DEFINE, _)) => Expected::Target,
         Some((id, used)) => Expected::Argument { id, first: used == before.tokens.len() },
         None if end < before.tokens.len() || before.assigns() => Expected::Expression,
         None => Expected::Statement,

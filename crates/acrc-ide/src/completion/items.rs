@@ -16,6 +16,7 @@ pub(super) fn of(db: &dyn Db, context: &Context<'_>) -> Completions {
         Expected::Statement => statement(db, context, &mut found),
         Expected::Argument { id, first } => argument(db, context, id, first, &mut found),
         Expected::Expression => expression(db, context, &mut found),
+        Expected::Target => target(db, context, &mut found),
     }
     found
 }
@@ -35,9 +36,19 @@ fn commands(context: &Context<'_>, rank: u8, found: &mut Completions) {
     found.items.extend(fitting.filter(|row| begins(row.word, context.part)).map(|row| command(context, row, rank)));
 }
 
+/// The commands that may stand behind an object by its number: `AXIS0 JOG`.
+fn commands_of(context: &Context<'_>, object: ObjectKind, found: &mut Completions) {
+    let fitting = all_commands().filter(|row| row.parent.is_none() && !row.word.is_empty());
+    let fitting = fitting.filter(|row| row.prefixes.contains(&object) && begins(row.word, context.part));
+    found.items.extend(fitting.map(|row| command(context, row, 1)));
+}
+
 fn argument(db: &dyn Db, context: &Context<'_>, id: CommandId, first: bool, found: &mut Completions) {
     let info = id.info();
-    if first {
+    if let Some(object) = ObjectKind::from_name(info.word).filter(|_| info.shape == Shape::Object) {
+        commands_of(context, object, found);
+    }
+    if first || info.shape == Shape::Object {
         let daughters = info.daughters.iter().map(|id| id.info()).filter(|row| begins(row.word, context.part));
         found.items.extend(daughters.map(|row| command(context, row, 0)));
     }
@@ -56,7 +67,7 @@ fn argument(db: &dyn Db, context: &Context<'_>, id: CommandId, first: bool, foun
     }
     objects(context, info, found);
     // The next statement may stand behind this one without anything between.
-    if !first || info.shape == Shape::Object || info.shape == Shape::None {
+    if info.shape == Shape::None || !first && info.shape != Shape::Object {
         commands(context, 4, found);
     }
 }
@@ -80,6 +91,13 @@ fn objects(context: &Context<'_>, info: &Command, found: &mut Completions) {
             });
         }
     }
+}
+
+/// An alias stands for no value, and for no other alias.
+fn target(db: &dyn Db, context: &Context<'_>, found: &mut Completions) {
+    found.items.extend(named::variables(db, context, 1));
+    numbers::parameters(db, context, found);
+    numbers::bits(db, context, found);
 }
 
 fn expression(db: &dyn Db, context: &Context<'_>, found: &mut Completions) {

@@ -81,6 +81,10 @@ pub fn completions(db: &dyn Db, position: FilePosition) -> Completions {
         return Completions { items: remarks::rules(db, position), incomplete: false };
     };
     let mut found = items::of(db, &context);
+    if context.touches_number() {
+        // Only a name in words goes on there.
+        found.items.retain(|item| item.span.start < context.span.start);
+    }
     found.items.sort_by(|a, b| (a.rank, &a.label).cmp(&(b.rank, &b.label)));
     found.items.dedup_by(|a, b| a.label == b.label && a.kind == b.kind);
     found
