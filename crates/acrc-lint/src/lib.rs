@@ -36,7 +36,7 @@ use acrc_diagnostics::Diagnostic;
 pub use configuration::{RuleState, problems, rule_states};
 pub(crate) use context::{Context, level_name};
 pub use registry::{explain, rules};
-pub use rule::{Group, RuleDoc};
+pub use rule::{Group, Mark, RuleDoc};
 pub use suppress::allowed_rules;
 
 /// The linter, for [`acrc_analysis::diagnostics`].

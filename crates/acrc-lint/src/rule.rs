@@ -21,6 +21,8 @@ pub struct RuleDoc {
     pub severity: Severity,
     /// It is on unless the configuration turns it off; otherwise it is off unless the configuration selects it.
     pub enabled: bool,
+    /// How an editor shows what it finds, beside the severity.
+    pub mark: Option<Mark>,
     /// What it finds.
     pub what: &'static str,
     /// Why that matters on a machine.
@@ -31,6 +33,15 @@ pub struct RuleDoc {
     pub good: &'static str,
     /// The section of the programmer's guide, or the reason why there is none.
     pub guide: &'static str,
+}
+
+/// What a finding says of the text itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// It could be left out and nothing would change: editors show it faded.
+    Unnecessary,
+    /// It is read, and every document writes it otherwise: editors strike it through.
+    Deprecated,
 }
 
 /// Groups of rules by what they look at.
@@ -151,7 +162,7 @@ impl RuleDoc {
     /// The page as text, ending in a line break.
     pub fn render(&self) -> String {
         let mut page = String::new();
-        let Self { code, group, severity, enabled, what, why, bad, good, guide } = self;
+        let Self { code, group, severity, enabled, mark: _, what, why, bad, good, guide } = self;
         let off = if *enabled { "" } else { ", off unless selected" };
         // Writing to a string does not fail.
         let _ = writeln!(

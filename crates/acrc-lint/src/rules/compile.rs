@@ -11,7 +11,7 @@ const STORED: &str = "System Configuration / Memory Allocations";
 const fn page(code: Code, [what, why]: [&'static str; 2], [bad, good]: [&'static str; 2], guide: &'static str) -> Rule {
     let severity = Severity::Error;
     Rule {
-        doc: RuleDoc { code, group: Group::Compile, severity, enabled: true, what, why, bad, good, guide },
+        doc: RuleDoc { code, group: Group::Compile, severity, enabled: true, mark: None, what, why, bad, good, guide },
         checks: &[],
     }
 }

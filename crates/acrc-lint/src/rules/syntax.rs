@@ -3,7 +3,7 @@
 use acrc_diagnostics::{Code, Severity};
 use acrc_syntax::codes;
 
-use crate::rule::{Group, Rule, RuleDoc};
+use crate::rule::{Group, Mark, Rule, RuleDoc};
 
 const fn page(
     code: Code,
@@ -13,9 +13,14 @@ const fn page(
     guide: &'static str,
 ) -> Rule {
     Rule {
-        doc: RuleDoc { code, group: Group::Syntax, severity, enabled: true, what, why, bad, good, guide },
+        doc: RuleDoc { code, group: Group::Syntax, severity, enabled: true, mark: None, what, why, bad, good, guide },
         checks: &[],
     }
+}
+
+/// The page of a spelling that is read, though the guide has another one for it.
+const fn deprecated(rule: &Rule) -> Rule {
+    Rule { doc: RuleDoc { mark: Some(Mark::Deprecated), ..rule.doc }, checks: rule.checks }
 }
 
 pub(crate) static SYNTAX_ERROR: Rule = page(
@@ -89,7 +94,7 @@ pub(crate) static DETACHED_LABEL: Rule = page(
     "Programming Basics / Program Labels",
 );
 
-pub(crate) static DIM_WITHOUT_PARENTHESES: Rule = page(
+pub(crate) static DIM_WITHOUT_PARENTHESES: Rule = deprecated(&page(
     codes::DIM_WITHOUT_PARENTHESES,
     Severity::Warning,
     [
@@ -98,7 +103,7 @@ pub(crate) static DIM_WITHOUT_PARENTHESES: Rule = page(
     ],
     ["DIM LV10", "DIM LV(10)"],
     "System Configuration / Memory Allocations",
-);
+));
 
 pub(crate) static REMARK_ON_LABEL_LINE: Rule = page(
     codes::REMARK_ON_LABEL_LINE,
@@ -124,7 +129,7 @@ pub(crate) static COMMENT_AFTER_STATEMENT: Rule = page(
     "Programming Basics / Remarks",
 );
 
-pub(crate) static EQUALS_AFTER_COMMAND: Rule = page(
+pub(crate) static EQUALS_AFTER_COMMAND: Rule = deprecated(&page(
     codes::EQUALS_AFTER_COMMAND,
     Severity::Warning,
     [
@@ -134,4 +139,4 @@ pub(crate) static EQUALS_AFTER_COMMAND: Rule = page(
     ],
     ["VEL = 5", "VEL 5"],
     "Programming Basics / Command Syntax",
-);
+));

@@ -18,6 +18,19 @@ fn findings_follow_edits() {
 }
 
 #[test]
+fn what_can_be_left_out_and_what_is_written_otherwise_have_tags() {
+    let mut session = begin(None);
+    session.open(URI, "PROGRAM\n_Nobody\nVEL = 5\nGOTO Missing\nENDP\n");
+    let found = session.diagnostics(URI, 1);
+    let items = found.as_array().expect("a list of findings").iter();
+    let tags: Vec<_> =
+        items.map(|item| (item["code"].as_str().unwrap_or_default(), item["tags"].to_string())).collect();
+    for expected in [("ACR103", "[1]"), ("ACR010", "[2]"), ("ACR101", "null")] {
+        assert!(tags.iter().any(|(code, tags)| (*code, tags.as_str()) == expected), "{expected:?} in {tags:?}");
+    }
+}
+
+#[test]
 fn several_changes_apply_one_after_the_other() {
     let mut session = begin(None);
     session.open(URI, "PROGRAM\nENDP\n");

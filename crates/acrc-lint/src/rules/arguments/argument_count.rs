@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A command, an axis of a command, or a function has too few or too many values.",
         why: "The controller refuses the statement when it gets there, or takes the missing value to be a question and \
               prints an answer instead of acting.",

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A value is a text where a number is needed, or the other way round, an array stands where one value is \
                needed, an object is not of the kind that its place asks for, or the bit of SET or CLR has a minus.",
         why: "The controller refuses the statement when it gets there.",

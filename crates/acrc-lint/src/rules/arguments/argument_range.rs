@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A constant is outside of the values that the command takes. Only ranges that a document states exactly \
                are checked; where one is open to one side the finding is a warning.",
         why: "The controller refuses the value and keeps the old one: a limit that was to be switched on stays off.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The condition of an IF, ELSEIF or WHILE, or a variable that is the argument of a command, stands without \
                parentheses.",
         why: "The guide asks for them in both places. Whether a controller reads the statement without them is not \

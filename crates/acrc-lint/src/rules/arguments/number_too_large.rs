@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A whole number is beyond 32 bits: above 4294967295, or below -2147483648.",
         why: "Whole numbers have 32 bits on the controller. What it makes of a longer one is not documented; written \
               with a decimal point it is a floating-point number and says what is meant.",

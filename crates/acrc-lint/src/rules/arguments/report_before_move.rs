@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A setting of the velocity profile has no value, and a move follows it on the line with nothing between \
                them: the value of the move looks as if it belonged to the setting.",
         why: "A setting without a value only prints what is set, and the axis moves at once: `VEL X10` changes no \

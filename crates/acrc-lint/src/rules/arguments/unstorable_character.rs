@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Compile,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A text has a character beyond one byte.",
         why: "Texts on the controller have one byte a character; the terminal would show something else.",
         bad: "PRINT \"\u{3a9}\"",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A BREAK stands outside of FOR .. NEXT and WHILE .. WEND.",
         why: "BREAK leaves the innermost loop. With none around it there is nothing to leave.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24)\nBREAK\nENDIF\nENDP",

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A file with PROGRAM .. ENDP defines a label outside of them, at a prompt; the first label of such a stretch \
                stands for it. Or moves, waits or loops follow directly behind an ENDP, with no change of the prompt \
                and no RUN between; the first of them stands for all.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A block is closed while another one that was opened inside it is still open, or a branch follows the ELSE \
                of its chain.",
         why: "Blocks lie within each other or one after the other. Crossed ones leave open what is inside, and a branch \

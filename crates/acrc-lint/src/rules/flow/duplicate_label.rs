@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A program defines the same label twice.",
         why: "A jump can go to one of them only, and no document says which. The other piece of code is never reached, \
               although it looks as if it were.",

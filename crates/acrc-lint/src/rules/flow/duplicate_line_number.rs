@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "Two lines of a program have the same number.",
         why: "A line takes the place of the stored one with its number: the first of the two is gone.",
         bad: "PROG0\n10 SET 32\n20 DWL 1\n20 CLR 32",

@@ -5,7 +5,7 @@ use acrc_diagnostics::{Code, Severity, Span};
 use acrc_syntax::blocks::{Block, BlockKind};
 
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "A branch of a block IF, or a FOR, holds no statement and no remark. An empty WHILE waits for its condition \
                and is left alone.",
         why: "Something was left out, or is left over. An empty FOR as a delay takes another time on another controller, \

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "Every way through a subroutine comes to END and none to RETURN, and something stands behind a GOSUB to it that \
                nothing else leads to. A subroutine that is called on a condition, to stop the program, is left alone, and \
                so is an END that the main code comes to as well.",

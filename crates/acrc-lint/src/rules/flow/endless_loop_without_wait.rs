@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A loop that is never left only passes labels and remarks or sets variables of its own program. A loop that \
                watches inputs without waiting, as many programs have it, is left alone.",
         why: "The program is stuck there and uses up its time slices. One that has finished and ends with END uses none.",

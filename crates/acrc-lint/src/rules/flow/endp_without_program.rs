@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An ENDP closes a program that no PROGRAM opened.",
         why: "Without PROGRAM the lines are carried out one by one as they are sent, instead of being stored: motion \
               starts during the download, and there is nothing to run afterwards.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The main code runs, in the order of the text, into a subroutine that GOSUB calls and RETURN ends. Where one \
                subroutine runs on into another it is advice: sharing the end of a subroutine is an old habit.",
         why: "The subroutine is carried out once more than it is called, and its RETURN then has no GOSUB to go back to. \

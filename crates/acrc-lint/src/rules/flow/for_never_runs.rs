@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A FOR begins beyond its end, or has a STEP that is zero or negative.",
         why: "FOR tests before the first pass and counts upwards only: beyond its end it is skipped as a whole. What a STEP \
               that is not positive does is not documented; the dry run stops the program.",

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "Two FOR, one inside of the other, count with the same variable. An assignment or INPUT to the counter inside \
                of a loop is reported as advice.",
         why: "The inner loop leaves the counter beyond its own end: the outer loop ends too early, or starts over for ever.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A GOTO or GOSUB goes to a label inside of a block IF, FOR or WHILE that it does not stand in itself.",
         why: "The block was never opened: its NEXT counts up to no end that was set, its WEND goes back to a condition \
               that was not tested, its ENDIF closes another IF or none.",

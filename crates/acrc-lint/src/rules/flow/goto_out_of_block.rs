@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A GOTO inside a WHILE or a block IF goes to a label outside of it. For a WHILE it is a warning at each \
                GOTO. For an IF it is advice, once for a label of a program: machines run with such jumps.",
         why: "The guide asks for no GOTO in either block: it leaves the block, and nothing leads back inside. What the \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An IF with THEN stands inside of a block IF that ENDIF closes.",
         why: "The guide forbids it: the outcome may be another than the text says. It does not say which; a branch may be \
               skipped, or carried out when it should not.",

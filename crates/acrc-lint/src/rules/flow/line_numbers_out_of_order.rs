@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A line has a lower number than the line before it.",
         why: "Lines are stored, and run, in the order of their numbers: the program does another thing than its text says.",
         bad: "PROG0\n10 SET 32\n30 CLR 32\n20 DWL 1",

@@ -17,6 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The condition of a WHILE reads variables of the program only, and the loop neither changes one of them nor \
                has a BREAK, GOSUB or another way out.",
         why: "Variables of a program are its own: no other program and no input changes them. Once entered, the loop never \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A subroutine that is called with GOSUB can run into ENDP without a RETURN. A way that leaves it through \
                a GOTO counts only if the subroutine has no RETURN at all.",
         why: "The program ends inside of the subroutine: what stands behind the GOSUB is never done.",

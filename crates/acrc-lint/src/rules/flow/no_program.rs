@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Compile,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "The text of a program stands where no program is chosen.",
         why: "Programs are stored at the prompt of a program; at the SYS prompt there is nothing to store them in.",
         bad: "PROGRAM\nSET 32\nENDP",

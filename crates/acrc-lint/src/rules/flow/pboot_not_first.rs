@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program has a PBOOT that is not its first statement. Remarks before it are left alone.",
         why: "The controller looks for PBOOT at the start of a program when it powers up. Further down it does not start \
               the program, and the machine stands still after the next power failure.",

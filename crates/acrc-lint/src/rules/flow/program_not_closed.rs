@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A PROGRAM has no ENDP behind it, or none before the next PROGRAM.",
         why: "Everything sent afterwards is stored as lines of this program instead of being carried out, the setup of \
               the next program included.",

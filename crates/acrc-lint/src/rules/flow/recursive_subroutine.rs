@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A subroutine calls itself, directly or through others, before it has returned.",
         why: "Each level takes four bytes of the program's memory, and all levels share the same variables: what the inner \
               call changes is changed for the outer one too.",

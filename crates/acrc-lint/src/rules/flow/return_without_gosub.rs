@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The program can come to a RETURN without having called a subroutine: in the order of its text, or by a \
                GOTO where a GOSUB was meant. One finding stands for all RETURNs behind the same GOTO.",
         why: "RETURN goes behind the latest GOSUB, and there is none. No document says what the controller does then; \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A GOSUB calls a subroutine that is an endless loop without RETURN and END, and something stands behind the \
                GOSUB. Where nothing but END does, as when a program calls its cycle, it is left alone.",
         why: "What stands behind the GOSUB is never carried out.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An IF without THEN has no ENDIF, a FOR no NEXT, or a WHILE no WEND.",
         why: "Where the block ends decides what the machine does and how often. The controller looks for the end when \
               the program runs, and does not find it.",

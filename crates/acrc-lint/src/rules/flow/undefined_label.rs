@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A GOTO or GOSUB names a label or a line number that is not in the same program.",
         why: "The controller finds out when it gets to the statement, not when the program is downloaded: the program \
               stops there, in whatever state the machine is then.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An ELSE, ELSEIF or ENDIF stands outside of a block IF, a NEXT outside of a FOR, a WEND outside of a WHILE. \
                Often the IF has a THEN, which needs no ENDIF.",
         why: "The statements that were meant to depend on a condition are carried out always.",

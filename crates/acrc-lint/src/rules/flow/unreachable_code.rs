@@ -5,7 +5,7 @@ use acrc_diagnostics::{Code, Severity};
 
 use crate::Context;
 use crate::flow::does_something;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Warning,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "No way leads to a statement: it stands behind a GOTO, END, RETURN or BREAK, or behind a loop that never \
                ends, and no label before it is jumped to. Code behind a label that nothing jumps to is another finding \
                (ACR103). END, RETURN and GOTO that are never reached are left alone.",

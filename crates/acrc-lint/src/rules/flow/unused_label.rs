@@ -3,7 +3,7 @@
 use acrc_analysis::SectionIndex;
 use acrc_diagnostics::{Code, Severity};
 
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 use crate::{Context, level_name};
 
 pub(crate) static RULE: Rule = Rule {
@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Flow,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "No GOTO or GOSUB of the program goes to this label.",
         why: "Either the code behind it is never called, or the label is left over and misleads the reader.",
         bad: "PROG0\nPROGRAM\n_Start\nSET 32\nDWL 1\nCLR 32\nENDP",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An array is given its elements (DIM LA0(500)) without a reference for it: DIM LA(n) comes first, and makes \
                room for the arrays LA0 to LA(n-1).",
         why: "The controller refuses the DIM, and the program stops at the first element that it uses.",

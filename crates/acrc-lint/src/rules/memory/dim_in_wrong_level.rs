@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "Memory is shared out at two levels: programs, PLC programs, user parameters, aliases and stream buffers at \
                the SYS prompt, local variables, arrays and the move buffer at the prompt of a program or in it. This DIM \
                stands at the other one.",

@@ -20,6 +20,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A stored program dimensions its variables and never clears them. The guide's own programs are of both \
                kinds; no document says that RUN frees the variables, and the dry run does not. A DIM in a loop, with no \
                CLEAR on the way round, is a warning, and advice where an IF or a GOTO may lead past it.",

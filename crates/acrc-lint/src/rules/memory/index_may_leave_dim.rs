@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A computed number of a variable, an array, an element or a user parameter can be larger than what DIM makes \
                room for. Known are the counter of a FOR with constant bounds, x MOD n, x AND n, and sums, differences and \
                products of these; of anything else nothing is said.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A variable, an array, an element or a user parameter has a number beyond what DIM makes room for. Numbers \
                begin at 0, so DIM LV(5) gives LV0 to LV4.",
         why: "The program stops with an error when it gets there, perhaps hours after it was started.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A DIM gives a program or the alias table more than four times of what it surely needs, and more than a \
                kilobyte of it is left. How much a program really takes is shown by `acrc mem`.",
         why: "Memory is shared: what one program has and does not use, another one may lack. Room to grow is no mistake, so \

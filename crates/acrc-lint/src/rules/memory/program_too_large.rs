@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A program needs more memory than its DIM PROG or DIM PLC gives it, or than its share of the factory \
                settings. Its stored text, its variables and its move buffer lie in that memory, and 4 bytes for each \
                level of subroutines while it runs. When only a deep call may not fit, it is a warning.",

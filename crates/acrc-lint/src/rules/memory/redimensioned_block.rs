@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A DIM gives memory to something that already has some, with no CLEAR in between. With factory settings \
                programs 0 to 7 have 65,536 bytes each, so a setup begins with CLEAR.",
         why: "The controller answers \"Re-dimensioned block\" and keeps the old size: a larger program is cut off, a \

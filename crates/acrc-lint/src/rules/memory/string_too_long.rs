@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A constant text is assigned to a string that DIM makes shorter.",
         why: "What does not fit is lost. A comparison with the whole text never holds, and an operator reads half a \
               message.",

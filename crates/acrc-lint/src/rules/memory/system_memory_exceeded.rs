@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The DIM statements of the setup want more memory than the controller has. It is a warning, and an error \
                when the project names a model whose memory is documented.",
         why: "The controller refuses the DIM, and what it was for has no memory at all.",

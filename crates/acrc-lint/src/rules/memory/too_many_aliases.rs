@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "The project defines more aliases than DIM DEF makes room for, or gives and clears memory without a DIM \
                DEF. Aliases of all files count together; an alias that is defined twice counts once.",
         why: "The controller refuses the #DEFINE, and then every line that uses the name.",

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program switches its move buffer on with MBUF ON, and no DIM MBUF gives memory to it: neither at the prompt \
                of the program nor in its text. It is advice when the project neither dimensions nor clears anything \
                else: allocations outlive a download, so that the controller may have the memory from before. A lone \

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "User parameters (P0 to P4095) are used, and the setup gives and clears memory but has no DIM P. It is \
                reported once a file.",
         why: "With factory settings there are no user parameters; the program stops at the first one.",

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A program uses local variables of a class, or an array, that no DIM gives memory to: neither at the prompt \
                of the program nor in its text. It is a warning when the project neither dimensions nor clears anything \
                else: allocations outlive a download, so that the controller may have the memory from before. A lone \

@@ -8,7 +8,7 @@ use acrc_syntax::ast::{Dim, StatementKind};
 use acrc_syntax::units::Level;
 
 use crate::locals::Locals;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 use crate::{Context, level_name};
 
 pub(crate) static RULE: Rule = Rule {
@@ -17,6 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Memory,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "A DIM LV, DV, SV or $V makes room for variables of which the program uses none, or less than half. A round \
                number (5, 10, 20) of which some are used is room to grow, and left alone. Programs whose whole text stands \
                in the file of the DIM are judged, and classes of which no variable is chosen by a computed number. Arrays, which \

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The last move before the program ends, or before it waits for the master to stand still, is made with \
                STP 0. Only stretches without labels, jumps and conditions from the STP 0 to the end of the motion are \
                judged; the moves of a loop count as if they stood there once.",

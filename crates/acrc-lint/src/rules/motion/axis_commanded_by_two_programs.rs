@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "The stored text of two programs sets one axis in motion: by a move, a jog, a homing, a gear or a cam. It \
                is told once an axis, at the first such statement of the later program. A program that homes the axis \
                and ends before the main program begins is common practice, hence advice only. A program is left out \

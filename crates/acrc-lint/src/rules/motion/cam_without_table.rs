@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program switches the cam of an axis on, and nothing in the project says what it follows, with CAM SRC, or \
                gives it a segment of its table, with CAM SEG.",
         why: "The cam looks the place of its source up in its table. Without a source it never moves on, and without a table \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An INH, or a loop that only waits, directly behind a jog or a homing waits for the in-motion flag of the \
                master to go off, in a program without any coordinated move, or with none since the last such wait.",
         why: "A jog is no move of the master: its flag (516 + 32 * master, for the first eight) stays off, and the \

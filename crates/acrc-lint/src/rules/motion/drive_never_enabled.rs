@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program moves an axis, and nothing in the project enables its drive: neither DRIVE ON nor its enable \
                flag (8465 + 32 * axis). Where the project enables no drive at all it is advice, as a host or an operator may \
                do it, or the drives may be wired to be always on: for each axis whose drive hands its signals to the \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "The band of the following error (EXC) of an axis that programs move is set, and nothing in the project \
                switches on the response to it (flag 8469 + 32 * axis).",
         why: "EXC by itself only changes a flag (769 + 32 * axis). An axis that is blocked, or has lost its encoder, \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program switches the gear of an axis on, and nothing in the project says what it follows, with GEAR \
                SRC.",
         why: "The gear follows its source, and without one there is nothing to follow: the axis stays where it is, or \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program homes an axis whose backup to home is switched on (flag 16152 + 32 * axis), and nothing in \
                the project sets the velocity of the last approach, JOG HOMVF.",
         why: "With backup the axis stops behind the switch and comes back to its edge at JOG HOMVF, whatever the \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A program homes an axis, and nothing in the project enables its hardware limits, neither HLIM nor their \
                enable flags (16148 and 16149, + 32 * axis): they are off by default. Or nothing says with HLBIT which \
                inputs the limits and the home switch are.",

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A JOG OFF of an axis follows directly on the jog of that axis.",
         why: "A jog command returns at once, and the next statement is executed while the axis begins to move. JOG OFF \
               does not end a jog that has arrived, it breaks off one that runs: the axis stops where it started.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program jogs or homes an axis, and nothing in the project sets its jog velocity to anything but zero: \
                neither JOG VEL nor its parameter (12348 + 256 * axis).",
         why: "Jogging and homing do not use VEL. The axis runs at whatever jog velocity the controller holds: with \

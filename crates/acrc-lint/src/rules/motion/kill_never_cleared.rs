@@ -17,6 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "An axis that programs move has hardware limits, or the response to an excess of following error, \
                switched on; and nothing in the project clears its kill request (8467 + 32 * axis), in words or by a \
                DRIVE ON in a program. Where a condition of a program looks whether the axis was killed, a DRIVE ON \

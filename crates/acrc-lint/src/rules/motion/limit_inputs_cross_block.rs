@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An HLBIT takes the last or the last but one input of a block of 32, so that the three inputs of the \
                axis (positive limit, negative limit, home) do not lie in one block.",
         why: "The controller does not go on in the next block: the inputs behind the end of the block are imaginary \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An ATTACH MASTER takes a master that another program holds, with no DETACH in between.",
         why: "A master computes the path of one program. The controller refuses to share it, so that the second \
               program has no master and none of its moves is executed.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program jogs, homes or gears an axis by its number, and no program of the project attaches that axis \
                to a master.",
         why: "All profilers take the configuration of an axis from its attachments to a master: without them nothing \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A program neither begins with PBOOT nor is started anywhere in the project, by RUN, LRUN or its run \
                request flag. A host or an operator often starts programs, so the rule is off until it is selected.",
         why: "After power-up the program stands still, and what it should watch goes on unwatched.",

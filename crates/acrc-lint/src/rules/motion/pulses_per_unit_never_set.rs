@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A program moves an axis, and nothing in the project sets its pulses per unit, PPU.",
         why: "Targets, velocities and accelerations count in units. Without a scale of its own an axis counts in \
               whatever the controller holds, from the factory in pulses of its encoder: a move of 10 mm becomes one of \

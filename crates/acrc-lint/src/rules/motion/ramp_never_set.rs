@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A program has coordinated moves, and nothing in the project sets the acceleration (ACC) or the stop \
                ramp (STP) of its master.",
         why: "The moves use whatever the controller holds. Zero switches a ramp off: the velocity jumps, and the load \

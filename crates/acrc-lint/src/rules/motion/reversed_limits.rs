@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A pair of limits gives the negative side first, or one value for both sides that is negative. The \
                positive side comes first: `SLM X(24,0)`; a single value stands for plus and minus that value.",
         why: "No position and no error lies between such limits. The axis counts as beyond both of them, and stops or \

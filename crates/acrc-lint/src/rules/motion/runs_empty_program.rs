@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A RUN or LRUN names a program for which the project holds no text.",
         why: "Nothing runs, or what somebody left in the controller does. A number that is one off starts the wrong \
               half of a machine.",

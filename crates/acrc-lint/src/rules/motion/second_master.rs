@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A program attaches a master while it holds another one, with no DETACH in between.",
         why: "A program has one master. The second is refused, and the slaves behind it go to the first: axes that \
               were meant to move apart share one path.",

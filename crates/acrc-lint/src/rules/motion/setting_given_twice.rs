@@ -17,6 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "At a prompt, a setting of an axis (PPU, HLBIT, HLDEC, SLM, SLDEC, EXC, IPB, TLM, JOG VEL, JOG ACC, JOG \
                DEC, JOG HOMVF) is given a second time with another constant, only other settings stand between, and \
                the second one stands behind a setting or an attachment of another axis that never gets it.",

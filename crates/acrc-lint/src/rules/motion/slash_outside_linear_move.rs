@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An axis of a circle, an arc or a sine has a slash before its target. Only linear moves take one.",
         why: "The slash makes a target relative to the one before. In the other moves it means nothing: the controller \
               refuses the move, or reads the target as a position, and the tool goes somewhere else.",

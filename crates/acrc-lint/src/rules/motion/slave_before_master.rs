@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An ATTACH SLAVE stands where its program has no master yet. A project that attaches no master at all is \
                judged only when it says what its axes are (ATTACH AXIS) or frees all of them (DETACH ALL): another one may \
                find its masters on its controller.",

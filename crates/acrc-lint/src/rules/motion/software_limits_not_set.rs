@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "The software limits of an axis that programs move are switched on (SLIM, or flags 16150 and 16151, + 32 \
                * axis), and nothing in the project says where they are.",
         why: "The limits act at whatever positions the controller holds. If both are zero, the first move crosses one, \

@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program has coordinated moves, and nothing in the project sets the velocity of its master, with \
                VEL or F, to anything but zero.",
         why: "The moves run at whatever velocity the controller holds. With zero the motor does not move and the \

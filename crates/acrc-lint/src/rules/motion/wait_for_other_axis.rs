@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An INH, or a loop that only waits, directly behind a jog or a homing waits for a jog or home flag of an \
                axis that the program never moves, or that it already waited for in the same way and did not move \
                since.",

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Motion,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An INH, or a loop that only waits, directly behind a move of the program waits for the in-motion flag of \
                another master: one without axes; or one of another program, while this program nowhere looks whether \
                its own motion is over, or switches something behind the wait and moves on without having looked.",

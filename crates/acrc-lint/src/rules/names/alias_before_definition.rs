@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A statement that is executed while the files are sent uses an alias whose #DEFINE is sent later. The text \
                of stored programs is left alone.",
         why: "A new controller does not know the alias yet and refuses the statement. On the bench nobody notices, since \

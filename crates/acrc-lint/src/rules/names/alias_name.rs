@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A #DEFINE names an alias with more than 24 letters, with something other than letters, or with a word of \
                the language.",
         why: "The controller refuses the definition, and with it every line that uses the alias. A name that is a \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "More than one program uses an alias that stands for a local variable (LV, SV, DV, $V or an array).",
         why: "The alias is global, the variable is not: each program reads and writes its own one. A count that one \
               program keeps is not seen by the other.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Compile,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An alias is defined for an expression or for another alias.",
         why: "An alias stands for a parameter, a bit, a variable or a constant.",
         bad: "#DEFINE Speed (P1 * 2)",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An alias has the name of an axis of a program. As advice: it differs from another alias in case only.",
         why: "Within its program the word is the axis, elsewhere the alias: the same line moves an axis in one program \
               and uses a number in another. Names that differ in case only are taken for each other.",

@@ -11,6 +11,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "Two aliases stand for the same parameter, bit or variable.",
         why: "Two parts of the machine seem to use two things and use one. Where that is meant, one name says it better; \
               where it is not, an address was copied and not changed.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "ATTACH SLAVE gives a name that is not one to four letters, or is P or F.",
         why: "P is a parameter and F a feedrate: `F 100` would never reach an axis of that name. Other names that are \
               words of the language read as those words, so that moves of the axis do something else.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "The project defines an alias a second time. With another operand that is an error; with the same one it \
                is only superfluous.",
         why: "Aliases are global: every program sees the same one. Which operand counts depends on the order in which \

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "An ATTACH SLAVE takes a slot, an axis or a name that an earlier one already took, with no DETACH in \
                between.",
         why: "An axis can follow one master only, and a slot holds one axis. The second attachment is refused, and the \

@@ -18,6 +18,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A statement uses an axis name that no ATTACH SLAVE gives in this program. A misspelt command looks the \
                same: `VLE 5` reads as a move of an axis named VLE. In a project that attaches nothing at all it is one \
                advice a project, as attachments may have been made by hand and stay on the controller.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A name stands where a value is expected, and no #DEFINE of the project defines it. At the prompts of \
                a project that defines no name at all it is a warning: the controller may know the name from an earlier \
                download. So is a C or S with a number, which IPA and Aries-class drives know as a drive parameter.",

@@ -4,7 +4,7 @@ use acrc_analysis::{AliasFact, DefinedIn};
 use acrc_diagnostics::{Code, Edit, Fix, Severity, Span};
 
 use crate::Context;
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "No file of the project uses an alias that it defines. A lone piece of code and a project without programs \
                are left alone. The fix is unsafe: a host may use the alias by its name.",
         why: "Each alias takes 48 bytes of the controller's memory. An alias for an input that nothing looks at may also \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Names,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A command of a program or of its master is sent at the SYS prompt, or a PLC program moves axes or waits. \
                Files that do not show at which prompt they are sent are left alone.",
         why: "The controller refuses the command while the setup is sent, and what it should have set keeps its old \

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A statement assigns the actual position of an axis (P12290 + 256 * axis). No document says what that does.",
         why: "If the controller takes the value, the setpoint stays where it was: the difference is following error at once, \
               and the axis jumps or is killed. If it does not, the statement has no effect. RES sets the setpoints and the \

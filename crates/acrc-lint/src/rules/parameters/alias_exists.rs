@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A parameter or bit is written by its number, and the project has an alias for it. The fix is unsafe: an \
                alias has a meaning only where its #DEFINE was sent before.",
         why: "Whoever changes the wiring changes the alias, and the number stays behind: one program then switches the \

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A bit is compared with a number so that the result is always the same, mostly with 1. As advice: the value \
                of a bit is added to something.",
         why: "A bit that is set reads -1, not 1. `IF (BIT 5 = 1)` is never true, so that the branch behind it, perhaps \

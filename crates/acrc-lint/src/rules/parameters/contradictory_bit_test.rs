@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A bit and its NOT are joined with AND, which is never true, or with OR, which always is.",
         why: "One of the two was meant to be another bit, mostly that of the neighbouring axis: the condition does not \
               look at it.",

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A program gives one CANopen node ID to two nodes, or to a node and to the controller itself (P32768, and P33024 \
                and every 16th behind it). Of several assignments to a parameter the last one counts; where the text takes \
                different ways, it is a warning.",

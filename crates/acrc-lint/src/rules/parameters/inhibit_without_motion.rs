@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program that attaches no master waits with INH. In programs 8 to 15, when another one of them has code, \
                each is a warning, and the first DWL is advice; elsewhere the first INH is advice. Projects that attach no \
                master at all are left alone.",

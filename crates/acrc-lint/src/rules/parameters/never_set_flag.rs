@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A program waits with INH until a user flag is set that no code of the project sets. An operator panel or a \
                host may set it, so this is off by itself.",
         why: "If nothing outside sets the flag either, the program waits for ever, and the machine seems to be dead.",

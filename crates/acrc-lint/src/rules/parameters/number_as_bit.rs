@@ -16,6 +16,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "SET, CLR or INH names a parameter, or an alias of one, without parentheses, or takes the state of a bit in \
                parentheses for its number.",
         why: "At best the bit is meant whose number the parameter holds: with 0 in it that is input 0. Mostly P was \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program uses a parameter or bit of an axis that the project neither attaches, configures nor commands, \
                or of a master that no program attaches. Prompts, prints and setup code are left alone, and so are \
                projects that attach nothing.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A PLC program uses a flag above 8191, and the project names the model ACR9000. Where no model is named \
                nothing is said.",
         why: "PLC programs of the ACR9000 do not reach these flags: a rung that waits for the kill flag of an axis, or \

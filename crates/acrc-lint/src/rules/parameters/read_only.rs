@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "A statement writes a parameter or bit that reports a state of the controller.",
         why: "The controller writes it again with the next servo period, so the statement has no effect, and the code \
               behind it goes on as if it had one.",

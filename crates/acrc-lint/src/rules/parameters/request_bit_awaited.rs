@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program waits until a request bit is set, or tests whether one is that the controller clears at once. \
                Waiting until a request is clear, that is, done, is fine. Kill All Moves and the Kill All Motion Request \
                stay set and are no requests in this sense.",

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Error,
         enabled: true,
+        mark: None,
         what: "The number of a parameter, bit, axis, master, slave or program lies beyond what controllers have, or \
                beyond what the model of the project has.",
         why: "A digit too many or too few reads or writes something else, or nothing: a wait for such a bit never ends, \

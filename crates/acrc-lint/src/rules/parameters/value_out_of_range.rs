@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A constant is assigned to a parameter beyond the range that a document gives it, or a number other than \
                0, 1 and -1 to a bit.",
         why: "The controller refuses the value or cuts it, so that a network does not start or a node keeps another \

@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Parameters,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A program writes one of the parameters P100 to P131 or flags 1952 to 2047. It is a warning when the setup of \
                the project writes such numbers too, as code of the vendor's wizard does, or when PROG7 or one of PLC5 to \
                PLC7, in which older firmware has that code, writes both limits of an axis. Otherwise it is advice, once \

@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A condition joins a comparison, or a bit, and a bare number with OR or AND. A condition of numbers only is reported as \
                advice, except that of an endless WHILE.",
         why: "`P0 = 1 OR 2` is not \"1 or 2\", and `BIT 1 OR 2` does not look at bit 2: any number but zero is true, so the \

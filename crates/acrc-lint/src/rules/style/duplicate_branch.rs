@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "A branch of a block IF holds the same statements as the one before it.",
         why: "Often one of them was copied and then not changed: the machine does the same in two cases that were told apart.",
         bad: "PROG0\nPROGRAM\nIF (BIT 24)\nSET 32\nELSE\nSET 32\nENDIF\nENDP",

@@ -19,6 +19,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An ELSEIF has the same condition as the IF or an earlier ELSEIF of its chain.",
         why: "The first branch whose condition is true is taken: the later one never is.",
         bad: "PROG0\nPROGRAM\nIF (P0 = 1)\nSET 32\nELSEIF (P0 = 1)\nSET 33\nENDIF\nENDP",

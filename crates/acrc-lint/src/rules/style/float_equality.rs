@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A condition tests with = or <> a variable with a fraction (SV, DV, SA, DA), or a number with one.",
         why: "Fractions are rounded when they are computed: 0.1 added ten times is not 1. The test fails by the last digit, \
               and a loop that waits for it goes on.",

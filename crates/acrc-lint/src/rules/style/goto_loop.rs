@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A GOTO goes back to a label that nothing else jumps to, over statements without other jumps and labels.",
         why: "WHILE .. WEND says at its first line how long the loop runs, and BREAK leaves it. The guide too warns that GOTO \
               makes programs hard to read.",

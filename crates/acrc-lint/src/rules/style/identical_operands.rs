@@ -15,6 +15,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "Both sides of a division, a subtraction, a MOD, a comparison, an AND or an OR are the same. Functions that \
                give another value each time (RND, GETCH, INKEY$, KBHIT, DATE$, TIME$) are not the same as themselves.",
         why: "The result does not depend on the operand, or is the operand itself. Another one was meant on one side: a \

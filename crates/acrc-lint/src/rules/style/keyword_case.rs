@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A word of the language is not written in capital letters. Axis names, aliases and labels are left alone.",
         why: "LIST shows the program in capitals, so that a text in capitals is easier to compare with what the controller \
               holds; and capitals set the words of the language off from aliases, whose case matters.",

@@ -18,6 +18,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A file uses a bit, or a parameter of the system, three times or more by its number.",
         why: "A number says nothing, one wrong digit in it is another flag that works as well, and rewiring an input means \
               finding them all. An alias says what it is, in one place.",

@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: true,
+        mark: None,
         what: "AND stands beside OR, or NOT before a comparison, without parentheses.",
         why: "The guide does not say which of AND and OR binds tighter, nor whether NOT takes the comparison or only its \
               first operand. acrc reads AND before OR, and NOT before comparisons; a controller that does not takes the \

@@ -19,6 +19,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: false,
+        mark: None,
         what: "A line of a stored program holds nothing but a REM. The number of bytes is that of the stored form of acrc; \
                the guide does not print one for remarks.",
         why: "A REM is stored and passed by the controller each time: it takes memory and time. A comment with an \

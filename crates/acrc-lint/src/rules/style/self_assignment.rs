@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "An assignment sets a variable or a user parameter to itself. Writing a bit or a parameter of the system may \
                have an effect of its own, and is left alone.",
         why: "The statement does nothing; another variable was meant.",

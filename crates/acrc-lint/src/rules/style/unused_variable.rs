@@ -8,7 +8,7 @@ use acrc_syntax::units::Level;
 
 use crate::locals::{How, Locals, Mention};
 use crate::operands::{Reference, Variable};
-use crate::rule::{Check, Group, Rule, RuleDoc};
+use crate::rule::{Check, Group, Mark, Rule, RuleDoc};
 use crate::{Context, level_name};
 
 pub(crate) static RULE: Rule = Rule {
@@ -17,6 +17,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Style,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "A program sets a variable of its own (LV, SV, DV, $V or an array) and never reads it. Parameters and bits, \
                which others may read, are left alone, and so are classes of which one is chosen by a computed number.",
         why: "Often the number is a slip, and the variable that was meant keeps its old value.",

@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Suppressions,
         severity: Severity::Warning,
         enabled: true,
+        mark: None,
         what: "A comment that begins with `acrc:`, or nearly so, is not understood, or names a rule that does not exist or \
                can't be suppressed.",
         why: "It looks as if a finding were suppressed or the formatter switched off, and nothing is.",

@@ -2,7 +2,7 @@
 
 use acrc_diagnostics::{Code, Diagnostic, Fix, Severity, Span};
 
-use crate::rule::{Group, Rule, RuleDoc};
+use crate::rule::{Group, Mark, Rule, RuleDoc};
 
 pub(crate) static RULE: Rule = Rule {
     doc: RuleDoc {
@@ -10,6 +10,7 @@ pub(crate) static RULE: Rule = Rule {
         group: Group::Suppressions,
         severity: Severity::Advice,
         enabled: true,
+        mark: Some(Mark::Unnecessary),
         what: "A comment allows a rule that finds nothing in the lines that the comment is about. Only rules that are on \
                count.",
         why: "The comment is left over from a mistake that is repaired, or stands at the wrong line. It would hide the \
