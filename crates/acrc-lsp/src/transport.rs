@@ -57,6 +57,10 @@ async fn listen<S: LanguageServer>(
     loop {
         match read(&mut input).await {
             Ok(Some(Message::Request(request))) => {
+                if let Some(answer) = refusal(&request) {
+                    send(&sender, &answer);
+                    continue;
+                }
                 let is_end = request.method() == "exit";
                 if std::future::poll_fn(|cx| service.poll_ready(cx)).await.is_err() {
                     return;
@@ -72,6 +76,13 @@ async fn listen<S: LanguageServer>(
             Ok(None) | Err(Malformed::Gone) => return,
         }
     }
+}
+
+/// The answer to a question whose name begins as those of notifications that may be ignored do: it may not be ignored,
+/// and the service would.
+fn refusal(request: &Request) -> Option<Response> {
+    let id = request.id().filter(|_| request.method().starts_with("$/"))?;
+    Some(Response::from_error(id.clone(), Error::method_not_found()))
 }
 
 /// Runs a handler up to its first await now, and the rest beside everything else.

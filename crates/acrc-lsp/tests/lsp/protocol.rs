@@ -55,9 +55,11 @@ fn what_is_no_message_does_no_harm() {
 #[test]
 fn what_is_not_understood_is_answered_with_an_error() {
     let mut session = begin(None);
-    for (method, params, code) in
-        [("no/such/thing", json!({}), -32601), ("textDocument/diagnostic", json!({ "textDocument": 7 }), -32602)]
-    {
+    for (method, params, code) in [
+        ("no/such/thing", json!({}), -32601),
+        ("$/no/such/thing", json!({}), -32601),
+        ("textDocument/diagnostic", json!({ "textDocument": 7 }), -32602),
+    ] {
         let id = session.ask(method, params);
         assert_eq!(session.answer(id)["error"]["code"], code, "{method}");
     }
