@@ -65,24 +65,47 @@ struct Wide {
 
 impl Lines {
     pub(crate) fn new(text: &str, encoding: Encoding) -> Self {
-        let bytes = text.as_bytes();
-        let mut lines = Vec::with_capacity(bytes.len() / 24 + 1);
-        let mut start = 0;
-        let mut after_cr = false;
-        for (offset, &byte) in (0..).zip(bytes) {
-            match byte {
-                // The second half of a CRLF: the line was closed at the CR.
-                b'\n' if after_cr => start = offset + 1,
-                b'\n' | b'\r' => {
-                    lines.push(Span::new(start, offset));
-                    start = offset + 1;
-                }
-                _ => {}
-            }
-            after_cr = byte == b'\r';
+        Self { encoding, lines: lines_of(text, 0), wide: wide(text, 0, encoding) }
+    }
+
+    /// Follows an edit: `text` is what is there now, with `inserted` bytes in place of `span`. Only the lines around it
+    /// are read again.
+    pub(crate) fn edit(&mut self, text: &str, span: Span, inserted: u32) {
+        // A line more at both ends: an edit may make or split a CRLF.
+        let first = self.lines.partition_point(|line| line.start <= span.start).saturating_sub(2);
+        let next = self.lines.partition_point(|line| line.start <= span.end + 1);
+        let start = self.lines.get(first).map_or(0, |line| line.start);
+        let behind = self.lines.get(next).map(|line| line.start);
+        let moved = |offset: u32| offset - span.len() + inserted;
+        let part = slice(text, Span::new(start, behind.map_or(text.len() as u32, moved)));
+        let mut lines = lines_of(part, start);
+        if behind.is_some() {
+            // The line behind the last line end of the part is the next one, which is there.
+            lines.pop();
         }
-        lines.push(Span::new(start, bytes.len() as u32));
-        Self { encoding, lines, wide: wide(text, encoding) }
+        for line in self.lines.get_mut(next..).unwrap_or_default() {
+            *line = Span::new(moved(line.start), moved(line.end));
+        }
+        self.lines.splice(first..next, lines);
+        self.edit_wide(part, Span::new(start, behind.unwrap_or(u32::MAX)), moved);
+    }
+
+    /// Replaces the wide characters of a part, and moves those behind it.
+    fn edit_wide(&mut self, part: &str, old: Span, moved: impl Fn(u32) -> u32) {
+        let first = self.wide.partition_point(|wide| wide.start < old.start);
+        let next = self.wide.partition_point(|wide| wide.start < old.end);
+        let before = self.surplus(first);
+        let gone = self.surplus(next) - before;
+        let mut wide = wide(part, old.start, self.encoding);
+        let come = wide.last().map_or(0, |wide| wide.surplus);
+        for wide in &mut wide {
+            wide.surplus += before;
+        }
+        for wide in self.wide.get_mut(next..).unwrap_or_default() {
+            let surplus = wide.surplus - gone + come;
+            *wide = Wide { start: moved(wide.start), end: moved(wide.end), surplus };
+        }
+        self.wide.splice(first..next, wide);
     }
 
     /// What columns count.
@@ -154,7 +177,34 @@ impl Lines {
     }
 }
 
-fn wide(text: &str, encoding: Encoding) -> Vec<Wide> {
+fn slice(text: &str, span: Span) -> &str {
+    text.get(span.range()).unwrap_or_default()
+}
+
+/// The lines of a text that begins at `offset`.
+fn lines_of(text: &str, offset: u32) -> Vec<Span> {
+    let bytes = text.as_bytes();
+    let mut lines = Vec::with_capacity(bytes.len() / 24 + 1);
+    let mut start = offset;
+    let mut after_cr = false;
+    for (at, &byte) in (offset..).zip(bytes) {
+        match byte {
+            // The second half of a CRLF: the line was closed at the CR.
+            b'\n' if after_cr => start = at + 1,
+            b'\n' | b'\r' => {
+                lines.push(Span::new(start, at));
+                start = at + 1;
+            }
+            _ => {}
+        }
+        after_cr = byte == b'\r';
+    }
+    lines.push(Span::new(start, offset + bytes.len() as u32));
+    lines
+}
+
+/// The wide characters of a text that begins at `offset`.
+fn wide(text: &str, offset: u32, encoding: Encoding) -> Vec<Wide> {
     if text.is_ascii() {
         return Vec::new();
     }
@@ -163,7 +213,8 @@ fn wide(text: &str, encoding: Encoding) -> Vec<Wide> {
     let wide = characters.map(|(start, character)| {
         let bytes = character.len_utf8() as u32;
         surplus += bytes - encoding.units(bytes);
-        Wide { start: start as u32, end: start as u32 + bytes, surplus }
+        let start = offset + start as u32;
+        Wide { start, end: start + bytes, surplus }
     });
     wide.collect()
 }
@@ -220,6 +271,24 @@ mod tests {
                     prop_assert_eq!(back, if inside_line_end { offset - 1 } else { offset });
                     let start = lines.offset(Position::new(position.line, 0)) as usize;
                     prop_assert_eq!(position.character, units(&text[start..back], encoding));
+                }
+            }
+        }
+
+        #[test]
+        fn an_edit_leaves_what_a_new_look_finds(
+            text in "[ab\u{e9}\u{1f600}\r\n]{0,30}",
+            edits in proptest::collection::vec((0.0..1.0_f64, 0.0..1.0_f64, "[a\u{20ac}\u{1f600}\r\n]{0,6}"), 1..6),
+        ) {
+            for encoding in ENCODINGS {
+                let mut text = text.clone();
+                let mut lines = Lines::new(&text, encoding);
+                for (a, b, new) in &edits {
+                    let place = |part: f64| text.floor_char_boundary((text.len() as f64 * part) as usize);
+                    let span = place(a.min(*b))..place(a.max(*b));
+                    text.replace_range(span.clone(), new);
+                    lines.edit(&text, Span::from(span), new.len() as u32);
+                    prop_assert_eq!(&lines, &Lines::new(&text, encoding));
                 }
             }
         }

@@ -99,16 +99,16 @@ fn apply(
     changes: Vec<TextDocumentContentChangeEvent>,
 ) -> Result<(String, Arc<Lines>), Refused> {
     for change in changes {
-        match change.range {
-            None => text = change.text,
-            Some(range) => {
-                let span = lines.span(range).ok_or(Refused::Range)?;
-                // The lines are those of the text, so the span lies between characters.
-                text.get(span.range()).ok_or(Refused::Range)?;
-                text.replace_range(span.range(), &change.text);
-            }
-        }
-        lines = Arc::new(Lines::new(&text, lines.encoding()));
+        let Some(range) = change.range else {
+            text = change.text;
+            lines = Arc::new(Lines::new(&text, lines.encoding()));
+            continue;
+        };
+        let span = lines.span(range).ok_or(Refused::Range)?;
+        // The lines are those of the text, so the span lies between characters.
+        text.get(span.range()).ok_or(Refused::Range)?;
+        text.replace_range(span.range(), &change.text);
+        Arc::make_mut(&mut lines).edit(&text, span, change.text.len() as u32);
     }
     Ok((text, lines))
 }
