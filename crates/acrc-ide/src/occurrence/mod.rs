@@ -81,6 +81,9 @@ pub struct Occurrence {
 /// What stands at a place. Of things within each other the innermost; between two that touch, the one that begins.
 pub fn at(db: &dyn Db, position: FilePosition) -> Option<Occurrence> {
     let FilePosition { project, file, offset } = position;
+    // Who points at the underscore of a label means the label.
+    let is_mark = file.text(db).as_bytes().get(offset as usize) == Some(&b'_');
+    let offset = offset + u32::from(is_mark);
     let after = parse(db, file).statements().partition_point(|statement| statement.span.start <= offset) as u32;
     let mut found = Vec::new();
     // A statement that ends where the next one begins may have a name there, and the number of a line stands before its

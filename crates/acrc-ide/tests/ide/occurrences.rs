@@ -60,6 +60,13 @@ fn the_end_of_a_name_belongs_to_it() {
 }
 
 #[test]
+fn the_underscore_of_a_label_belongs_to_it() {
+    let fixture = Fixture::new("PROGRAM\nGOTO Top\n$0_Top\nENDP\n");
+    let occurrence = at(&fixture.db, fixture.cursor()).expect("something stands there");
+    assert!(matches!(occurrence.entity, Entity::Label(_, name) if &*name == "Top"));
+}
+
+#[test]
 fn of_two_that_touch_the_second_is_meant() {
     let fixture = Fixture::new("PROGRAM\nSET$034\nENDP\n");
     let occurrence = at(&fixture.db, fixture.cursor()).expect("something stands there");

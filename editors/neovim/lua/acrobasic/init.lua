@@ -106,7 +106,7 @@ end
 --- Shows where the memory of the controller goes.
 function M.mem()
   M.execute('acrc.mem', {}, function(answer)
-    show('acrc mem', answer.output)
+    show('acrc mem', answer.output .. answer.errors)
   end)
 end
 
