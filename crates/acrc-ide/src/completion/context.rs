@@ -58,7 +58,12 @@ impl<'a> Context<'a> {
         let before = typed.up_to(start);
         let level = statement_at(db, file, offset)
             .map_or_else(|| level_before(db, file, offset), |statement| level_of(db, file, statement));
-        let expected = expected(&before);
+        let mark = before.tokens.last().filter(|last| last.kind == TokenKind::Underscore && last.span.end == from);
+        let expected = match (mark, expected(&before.up_to(start - usize::from(mark.is_some())))) {
+            // A label that is new.
+            (Some(_), Expected::Statement) => Expected::Nothing,
+            (_, expected) => expected,
+        };
         Some(Self { project, level, before, part, span, expected })
     }
 
