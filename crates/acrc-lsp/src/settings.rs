@@ -3,9 +3,8 @@
 use serde::Deserialize;
 use serde_json::Value;
 
-/// The settings. What is missing or not understood is as if it were not set.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(default, rename_all = "camelCase")]
+/// The settings. A group that is missing or not understood is as if it were not set.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Settings {
     pub(crate) lint: Lint,
     pub(crate) inlay_hints: InlayHints,
@@ -55,9 +54,14 @@ impl Default for InlayHints {
 impl Settings {
     /// Reads settings, which may stand below `acrc` or alone.
     pub(crate) fn of(value: Option<&Value>) -> Self {
-        let value = value.map(|value| value.get("acrc").unwrap_or(value));
-        value.and_then(|value| Self::deserialize(value).ok()).unwrap_or_default()
+        let Some(value) = value.map(|value| value.get("acrc").unwrap_or(value)) else { return Self::default() };
+        Self { lint: group(value, "lint"), inlay_hints: group(value, "inlayHints"), trace: group(value, "trace") }
     }
+}
+
+/// A group of settings. A mistake in one leaves the others as they are.
+fn group<'v, T: Default + Deserialize<'v>>(settings: &'v Value, name: &str) -> T {
+    settings.get(name).and_then(|group| T::deserialize(group).ok()).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -78,5 +82,11 @@ mod tests {
         for value in [json!(null), json!(7), json!({"acrc": {"lint": 7}}), json!({"acrc": null})] {
             assert_eq!(Settings::of(Some(&value)), Settings::default(), "{value}");
         }
+    }
+
+    #[test]
+    fn a_mistake_in_one_group_leaves_the_others() {
+        let settings = Settings::of(Some(&json!({"lint": {"enable": "no"}, "inlayHints": {"lineBytes": true}})));
+        assert!(settings.lint.enable && settings.inlay_hints.line_bytes);
     }
 }
