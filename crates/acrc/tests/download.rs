@@ -1,12 +1,15 @@
 //! `acrc download`, `upload` and `diff` against `acrc serve`, and downloads whose process is killed.
 
 mod common;
+#[path = "common/server.rs"]
+mod server;
 
 use std::io::{BufRead as _, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 
 use common::{Bench, Run};
 use serde_json::Value;
+use server::Server;
 
 const MACHINE: &str = "\
 ' A slide that goes to and fro
@@ -36,43 +39,9 @@ DWL 1
 ENDP
 ";
 
-/// `acrc serve` with factory settings.
-struct Server {
-    process: Child,
-    port: u64,
-}
-
-impl Server {
-    fn start() -> Self {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_acrc"));
-        command
-            .args(["serve", "--ports", "0,0,0,0", "--speed", "max", "--json"])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null());
-        let mut process = command.spawn().expect("acrc starts");
-        let mut first = String::new();
-        BufReader::new(process.stdout.take().expect("a pipe")).read_line(&mut first).expect("it says where it is");
-        let event: Value = serde_json::from_str(&first).unwrap_or_else(|error| panic!("{error}: {first}"));
-        let port = event["ports"]["5002"].as_u64().expect("a port");
-        Self { process, port }
-    }
-
-    fn to(&self) -> String {
-        format!("--to=127.0.0.1:{}", self.port)
-    }
-}
-
-impl Drop for Server {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
-}
-
 impl Bench {
     fn link(&self, server: &Server, arguments: &str) -> Run {
-        self.acrc(arguments.split_whitespace().chain([server.to().as_str(), "--text"]))
+        self.acrc(arguments.split_whitespace().chain([format!("--to={}", server.address()).as_str(), "--text"]))
     }
 }
 
@@ -151,7 +120,7 @@ fn a_refused_line_is_shown_in_the_source() {
 fn kill_at(bench: &Bench, server: &Server, line: u64) -> bool {
     let mut command = Command::new(env!("CARGO_BIN_EXE_acrc"));
     command
-        .args(["download", "machine.8K", "--yes", "--json", "--text", &server.to()])
+        .args(["download", "machine.8K", "--yes", "--json", "--text", "--to", &server.address()])
         .current_dir(bench.folder.path());
     let mut process = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("acrc starts");
     let mut killed = false;

@@ -2,12 +2,15 @@
 
 #[path = "../../acrc-lsp/tests/lsp/client.rs"]
 mod client;
+#[path = "common/server.rs"]
+mod server;
 
 use std::io::BufReader;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use client::Client;
 use serde_json::{Value, json};
+use server::Server;
 
 type Session = Client<BufReader<ChildStdout>, ChildStdin>;
 
@@ -67,4 +70,39 @@ fn nothing_is_sent_to_a_controller_that_nobody_named() {
     // The client goes away without a word.
     drop(session);
     assert_eq!(child.wait().expect("it ends").code(), Some(1));
+}
+
+#[test]
+fn only_what_was_shown_and_confirmed_is_sent() {
+    let (folder, controller) = (tempfile::tempdir().expect("a folder"), Server::start());
+    let path = folder.path().canonicalize().expect("a path").join("Prog0.8K");
+    let text = "PROGRAM\nPRINT \"one\"\nENDP\n";
+    std::fs::write(&path, text).expect("written");
+    let uri = format!("file://{}", path.display());
+    let (mut child, mut session) = start();
+    session.initialize(json!({}), None);
+    session.open(&uri, text);
+    let send = json!({ "command": "acrc.download", "arguments": [{ "uri": uri, "to": controller.address() }] });
+
+    assert!(session.request("workspace/executeCommand", send.clone()).is_null(), "nobody confirmed it");
+    let question = session.requests.pop().expect("a question");
+    let shown = question["params"]["message"].as_str().expect("a text");
+    assert!(shown.contains("sent     5 lines") && !shown.contains("PRINT"), "{shown}");
+
+    let id = session.ask("workspace/executeCommand", send.clone());
+    let question =
+        std::iter::from_fn(|| session.read()).find(|message| message["method"] == "window/showMessageRequest");
+    let edited = text.replace("one", "two");
+    session.change(&uri, 2, json!([{ "text": edited }]));
+    std::fs::write(&path, edited).expect("written");
+    session
+        .send(&json!({ "jsonrpc": "2.0", "id": question.expect("a question")["id"], "result": { "title": "Send" } }));
+    let answer = session.answer(id);
+    assert!(answer["error"]["message"].as_str().is_some_and(|why| why.starts_with("nothing was sent")), "{answer}");
+
+    session.replies.insert("window/showMessageRequest".to_owned(), json!({ "title": "Send" }));
+    let done = session.request("workspace/executeCommand", send);
+    assert!(done["output"].as_str().is_some_and(|output| output.contains("1 program verified")), "{done}");
+    drop(session);
+    child.wait().expect("it ends");
 }

@@ -157,20 +157,31 @@ async fn download(
     const SEND: &str = "Send";
     let to = target.to.as_deref().ok_or_else(|| Error::invalid_params("`to` names the controller"))?;
     let project = plan.key.as_str();
-    let planned =
-        during(client, token.clone(), "Plan", child::run(&["download", project, "--to", to, "--plan"])).await?;
-    if planned.status != Some(0) {
-        return Err(failed(if planned.errors.is_empty() { planned.output } else { planned.errors }));
-    }
+    let planned = planned(client, token.clone(), project, to).await?;
     let choice = |title: &str| MessageActionItem { title: title.to_owned(), properties: HashMap::new() };
-    let question = format!("Send {project} to the controller at {to}?\n\n{}", planned.output);
+    // The lines that are sent would fill a screen many times over.
+    let (summary, lines) = planned.split_once("\n\n").unwrap_or((&planned, ""));
+    client.log_message(MessageType::INFO, lines).await;
+    let question = format!("Send {project} to the controller at {to}?\n\n{summary}");
     let answer =
         client.show_message_request(MessageType::WARNING, question, Some(vec![choice(SEND), choice("Cancel")])).await?;
     if answer.is_none_or(|answer| answer.title != SEND) {
         return Ok(None);
     }
+    if self::planned(client, token.clone(), project, to).await? != planned {
+        return Err(failed("nothing was sent: the files or the controller have changed since the plan was shown"));
+    }
     let done = during(client, token, "Download", child::run(&["download", project, "--to", to, "--yes"])).await?;
     Ok(Some(json!({ "status": done.status, "output": done.output, "errors": done.errors })))
+}
+
+/// What a download would do.
+async fn planned(client: &Client, token: Option<ProgressToken>, project: &str, to: &str) -> Result<String> {
+    let done = during(client, token, "Plan", child::run(&["download", project, "--to", to, "--plan"])).await?;
+    if done.status == Some(0) {
+        return Ok(done.output);
+    }
+    Err(failed(if done.errors.is_empty() { done.output } else { done.errors }))
 }
 
 async fn report(client: &Client, outcomes: &Outcomes, plan: &Plan) -> Result<Option<Value>> {
