@@ -4,9 +4,9 @@ use std::time::{Duration, Instant};
 
 use acrc_wire::binary::Replies;
 use acrc_wire::ethernet::COMMAND_STREAMS;
-use acrc_wire::{Channel, Decoder, Item, Reply, Request};
+use acrc_wire::{Channel, Decoder, Item, Reply};
 
-use crate::question::{answers, check, what};
+use crate::question::check;
 use crate::reply::{Progress, is_at_prompt, progress};
 use crate::transport::{BEAT, Tcp, Transport};
 use crate::{Answer, Console, Endpoint, LinkError, Protocol, Settings};
@@ -23,9 +23,7 @@ const GROUP: usize = 4;
 /// Nothing more comes for so long behind what looks like a prompt: it is one.
 const QUIET: Duration = Duration::from_millis(100);
 /// Nothing more comes for so long behind what another port than the expected one answers: it is that one.
-const CERTAIN: Duration = Duration::from_millis(500);
-/// Packets that are under way at most: their answers fit what sockets hold, so that neither side waits for the other.
-const WINDOW: usize = 256;
+pub(crate) const CERTAIN: Duration = Duration::from_millis(500);
 /// Bytes that an answer has at most: much more than the listing of the largest program.
 const LONGEST_ANSWER: usize = 4 << 20;
 /// What is printed to see where the answers begin.
@@ -34,15 +32,16 @@ const MARK: &str = "acrc-1";
 const ECHO: &str = "ECHO 1";
 
 /// A connection to a controller.
+#[expect(clippy::struct_excessive_bools, reason = "each is a state that changes by itself")]
 pub struct Connection<T> {
-    transport: T,
-    settings: Settings,
+    pub(crate) transport: T,
+    pub(crate) settings: Settings,
     /// What the controller is called in errors.
-    name: String,
+    pub(crate) name: String,
     /// Packets are possible.
-    channel: Option<(Channel, Decoder<Replies>)>,
+    pub(crate) channel: Option<(Channel, Decoder<Replies>)>,
     /// Text that has come and belongs to no answer yet.
-    text: String,
+    pub(crate) text: String,
     /// The controller echoes what is typed.
     echo: bool,
     /// Answers can be told apart; not before the first prompt, nor after an answer that did not come.
@@ -50,7 +49,7 @@ pub struct Connection<T> {
     /// The level of the last prompt.
     prompt: Level,
     /// A packet has come.
-    packets_came: bool,
+    pub(crate) packets_came: bool,
     /// The controller has ended it, or it broke.
     ended: bool,
 }
@@ -287,7 +286,7 @@ impl<T: Transport> Connection<T> {
         }
     }
 
-    fn write_bytes(&mut self, bytes: &[u8], line: &str) -> Result<(), LinkError> {
+    pub(crate) fn write_bytes(&mut self, bytes: &[u8], line: &str) -> Result<(), LinkError> {
         let sent = self.transport.write_within(bytes, self.settings.answer);
         sent.map_err(|reason| LinkError::Broken { line: line.to_owned(), reason })
     }
@@ -298,7 +297,7 @@ impl<T: Transport> Connection<T> {
     }
 
     /// Reads what comes next, for at most so long. False when nothing comes.
-    fn read_on(&mut self, longest: Duration, line: &str, found: Found<'_>) -> Result<bool, LinkError> {
+    pub(crate) fn read_on(&mut self, longest: Duration, line: &str, found: Found<'_>) -> Result<bool, LinkError> {
         // Counted by what the transport was given, so that one that keeps a time of its own decides how long that is.
         let mut left = longest;
         let mut buffer = [0; 16 * 1024];
@@ -343,79 +342,6 @@ impl<T: Transport> Connection<T> {
             }
         }
     }
-
-    /// Sends packets that are answered, many under way at a time, and gives each answer with the place of its question.
-    ///
-    /// # Errors
-    /// When an answer does not come, or another one than was asked for.
-    pub fn ask(
-        &mut self,
-        requests: &[Request<'_>],
-        mut answered: impl FnMut(usize, &Reply<'_>),
-    ) -> Result<(), LinkError> {
-        // Text that comes in between answers nothing, and is not kept for who asks for packets all day.
-        self.text.clear();
-        let mut next = 0;
-        for chunk in requests.chunks(WINDOW) {
-            self.post(chunk)?;
-            let (begin, end) = (next, next + chunk.len());
-            let typed = if self.packets_came { String::new() } else { self.as_typed(chunk) };
-            // What came is what a port for text makes of packets.
-            let mut echoed = false;
-            while next < end {
-                let waited = what(requests.get(next));
-                let mut wrong = None;
-                let mut found = |reply: Result<Reply<'_>, String>| match reply {
-                    Ok(reply) if requests.get(next).is_some_and(|request| answers(request, &reply)) => {
-                        answered(next, &reply);
-                        next += 1;
-                    }
-                    Ok(reply) => wrong = Some(format!("{reply:?}")),
-                    Err(problem) => wrong = Some(problem),
-                };
-                let longest = if echoed { CERTAIN.min(self.settings.answer) } else { self.settings.answer };
-                let came = self.read_on(longest, &waited, &mut found)?;
-                if let Some(answer) = wrong {
-                    return Err(LinkError::NotUnderstood { line: waited, answer });
-                }
-                self.packets_came |= next > begin;
-                let text_only = !self.packets_came && !self.text.is_empty();
-                if !came && text_only {
-                    return Err(LinkError::TextOnly { endpoint: self.name.clone(), line: waited });
-                }
-                if !came {
-                    return Err(LinkError::Timeout { line: waited, after: self.settings.answer });
-                }
-                echoed = text_only && self.text == typed;
-            }
-        }
-        Ok(())
-    }
-
-    /// What an echo shows of packets that are taken for text.
-    fn as_typed(&self, requests: &[Request<'_>]) -> String {
-        let mut bytes = Vec::new();
-        if let Some((channel, _)) = &self.channel {
-            requests.iter().for_each(|request| channel.request(request, &mut bytes));
-        }
-        bytes.into_iter().filter(|byte| matches!(byte, b' '..=b'~')).map(char::from).collect()
-    }
-
-    /// Sends packets. Those that are not answered are done with that.
-    ///
-    /// # Errors
-    /// When they cannot be sent, or the connection speaks text only.
-    pub fn post(&mut self, requests: &[Request<'_>]) -> Result<(), LinkError> {
-        let line = what(requests.first());
-        let Some((channel, _)) = &self.channel else {
-            return Err(LinkError::NotSendable { line, problem: "the connection speaks text only" });
-        };
-        let mut bytes = Vec::new();
-        for request in requests {
-            channel.request(request, &mut bytes);
-        }
-        self.write_bytes(&bytes, &line)
-    }
 }
 
 /// Prints what shows where the answers begin.
@@ -424,7 +350,7 @@ fn mark_line() -> String {
 }
 
 /// Is given each packet that comes, or why it cannot be read.
-type Found<'a> = &'a mut dyn FnMut(Result<Reply<'_>, String>);
+pub(crate) type Found<'a> = &'a mut dyn FnMut(Result<Reply<'_>, String>);
 
 impl<T: Transport> Console for Connection<T> {
     fn command(&mut self, line: &str) -> Result<Answer, LinkError> {

@@ -17,6 +17,7 @@ mod endpoint;
 mod error;
 pub mod fast_status;
 pub mod motion;
+mod packets;
 mod question;
 mod reply;
 mod settings;
