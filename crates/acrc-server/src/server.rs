@@ -12,7 +12,7 @@ use crate::error::command_streams;
 use crate::listeners::Bound;
 use crate::network::Network;
 use crate::pace::{self, Pace};
-use crate::shared::{Phase, Settings, Shared};
+use crate::shared::{Phase, Settings, Shared, enter};
 use crate::{BindError, Config, Ports, Service, Statistics};
 
 /// A virtual controller on the network. It serves until it is told to stop.
@@ -116,6 +116,14 @@ impl Handle {
     /// Tells the server to stop.
     pub fn shutdown(&self) {
         self.shared.enter(Phase::Stopping);
+    }
+
+    /// The same by who needs the handle no more. It is let go of first: the controller comes back from [`Server::wait`] only
+    /// when nobody else holds it by then.
+    pub fn end(self) {
+        let phase = self.shared.phase.clone();
+        drop(self);
+        enter(&phase, Phase::Stopping);
     }
 
     /// Looks at the controller, which stands still meanwhile.

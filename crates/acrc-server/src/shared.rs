@@ -101,13 +101,7 @@ impl Shared {
 
     /// Enters a phase, unless one that outranks it has been entered. Tells whether it has.
     pub(crate) fn enter(&self, phase: Phase) -> bool {
-        self.phase.send_if_modified(|current| {
-            let enters = std::mem::discriminant(current) != std::mem::discriminant(&phase) && *current < phase;
-            if enters {
-                *current = phase;
-            }
-            enters
-        })
+        enter(&self.phase, phase)
     }
 
     /// The controller has restarted: clients are served again, unless the server stops.
@@ -139,6 +133,17 @@ impl Shared {
     pub(crate) fn into_core(self: Arc<Self>) -> Option<Core> {
         Arc::into_inner(self).map(|shared| shared.core.into_inner())
     }
+}
+
+/// Enters a phase, unless one that outranks it has been entered. Tells whether it has.
+pub(crate) fn enter(phases: &watch::Sender<Phase>, phase: Phase) -> bool {
+    phases.send_if_modified(|current| {
+        let enters = std::mem::discriminant(current) != std::mem::discriminant(&phase) && *current < phase;
+        if enters {
+            *current = phase;
+        }
+        enters
+    })
 }
 
 /// Wakes the thread that owns the pace.

@@ -5,7 +5,7 @@
 mod common;
 
 use std::io::{BufReader, Read as _, Write as _};
-use std::net::{TcpListener, TcpStream};
+use std::net::{TcpListener, TcpStream, UdpSocket};
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
@@ -30,9 +30,13 @@ impl Serving {
         Self { process, lines, listening }
     }
 
+    fn address(&self, service: &str) -> (&'static str, u16) {
+        let port = self.listening["ports"][service].as_u64().expect("a port");
+        ("127.0.0.1", u16::try_from(port).expect("a port"))
+    }
+
     fn ask(&self, line: &str) -> String {
-        let port = self.listening["ports"]["5002"].as_u64().expect("a port");
-        let mut client = TcpStream::connect(("127.0.0.1", u16::try_from(port).expect("a port"))).expect("it listens");
+        let mut client = TcpStream::connect(self.address("5002")).expect("it listens");
         client.set_read_timeout(Some(Duration::from_secs(20))).expect("a timeout");
         client.write_all(line.as_bytes()).expect("it listens");
         client.shutdown(std::net::Shutdown::Write).expect("an open connection");
@@ -41,10 +45,27 @@ impl Serving {
         answer
     }
 
-    /// Sends a signal and gives the exit status and the lines that were left.
-    fn end(mut self, signal: &str) -> (Option<i32>, Vec<Value>) {
+    /// Brings more lines into the log than a pipe and the queue before it hold.
+    fn flood(&self) {
+        let socket = UdpSocket::bind("127.0.0.1:0").expect("a port");
+        for _ in 0..80 {
+            for _ in 0..100 {
+                // No request for fast status.
+                socket.send_to(b"?", self.address("5003")).expect("it is sent");
+            }
+            // By then these have been read, or some are lost.
+            assert_eq!(self.ask("?1\r"), "?1\r\n1\r\nSYS>");
+        }
+    }
+
+    fn signal(&self, signal: &str) {
         let pid = self.process.id().to_string();
         assert!(Command::new("kill").args([signal, &pid]).status().expect("kill starts").success());
+    }
+
+    /// Sends a signal and gives the exit status and the lines that were left.
+    fn end(mut self, signal: &str) -> (Option<i32>, Vec<Value>) {
+        self.signal(signal);
         let mut rest = String::new();
         self.lines.read_to_string(&mut rest).expect("it ends");
         let status = self.process.wait().expect("it ends").code();
@@ -91,6 +112,30 @@ fn what_the_controller_keeps_is_there_the_next_time() {
     assert_eq!(serving.end("-TERM").0, Some(130));
     let serving = Serving::start(&bench, &["--state", "kept"]);
     assert_eq!(serving.ask("?P4\r"), "?P4\r\n11\r\nSYS>");
+}
+
+#[test]
+fn who_does_not_read_the_log_stops_nobody() {
+    let bench = Bench::new();
+    let mut serving = Serving::start(&bench, &["--state", "kept", "--stats"]);
+    serving.flood();
+    assert_eq!(serving.ask("DIM P(10)\rP4=12\r"), "DIM P(10)\r\nSYS>P4=12\r\nSYS>");
+    serving.signal("-TERM");
+    // The pipe is still there, and full.
+    assert_eq!(serving.process.wait().expect("it ends").code(), Some(130));
+    let serving = Serving::start(&bench, &["--state", "kept"]);
+    assert_eq!(serving.ask("?P4\r"), "?P4\r\n12\r\nSYS>");
+}
+
+#[test]
+fn lines_that_the_log_could_not_take_are_counted() {
+    let bench = Bench::new();
+    let serving = Serving::start(&bench, &[]);
+    serving.flood();
+    let (status, lines) = serving.end("-INT");
+    assert_eq!(status, Some(130));
+    let lost: u64 = lines.iter().filter(|line| line["event"] == "lost").filter_map(|line| line["lines"].as_u64()).sum();
+    assert!(lost > 0, "{} lines came", lines.len());
 }
 
 #[test]
