@@ -19,6 +19,13 @@ const QUIET: Duration = Duration::from_millis(30);
 /// A line that is not answered within this time gets the keys of the terminal while it runs.
 const PROMPTLY: Duration = Duration::from_millis(60);
 
+/// What keys do that act on the whole machine, whatever is being typed.
+const NOTES: [(u8, &str); 3] = [
+    (0x18, "Ctrl-X: all programs are ended, and all motion is killed; Ctrl-Y allows motion again"),
+    (0x19, "Ctrl-Y: the kill flags are cleared, motion is allowed again"),
+    (0x1a, "Ctrl-Z: as Ctrl-X, and all drives are disabled; Ctrl-Y allows motion again, DRIVE ON enables a drive"),
+];
+
 /// Runs the session until the user leaves it.
 pub(super) fn run(connection: &mut Connection<Tcp>, name: &str, terminal: Terminal) -> anyhow::Result<()> {
     greet(name, terminal).context("cannot write to the terminal")?;
@@ -34,7 +41,7 @@ pub(super) fn run(connection: &mut Connection<Tcp>, name: &str, terminal: Termin
                     let bytes: Vec<u8> =
                         line.chars().map(|character| u8::try_from(character).unwrap_or(b'?')).collect();
                     connection.type_bytes(&[&bytes, b"\r".as_slice()].concat())?;
-                    match follow(connection, Tail::new(line, connection.echoes()))? {
+                    match follow(connection, Tail::new(line, connection.echoes()), terminal)? {
                         Some(new) => level = new,
                         None => return Ok(()),
                     }
@@ -46,6 +53,7 @@ pub(super) fn run(connection: &mut Connection<Tcp>, name: &str, terminal: Termin
                 let mut tail = Tail::new("", false);
                 let shown = tail.take(&connection.listen(PROMPTLY)?);
                 show(shown.trim_start())?;
+                tell_of(&key.into_bytes(), terminal)?;
                 level = tail.prompt().unwrap_or(level);
             }
             Signal::CtrlC | Signal::CtrlD => return Ok(()),
@@ -62,6 +70,14 @@ fn greet(name: &str, terminal: Terminal) -> io::Result<()> {
     writeln!(out, "{}", terminal.faint(help))
 }
 
+/// Says what a key has made the controller do, since a controller says nothing of it.
+fn tell_of(key: &[u8], terminal: Terminal) -> anyhow::Result<()> {
+    let Some((_, note)) = NOTES.iter().find(|(byte, _)| key == [*byte]) else { return Ok(()) };
+    let mut out = io::stdout().lock();
+    let written = write!(out, "{}\r\n", terminal.faint(note)).and_then(|()| out.flush());
+    written.context("cannot write to the terminal")
+}
+
 /// The prompt as the controller writes it.
 fn prompt(level: Level) -> String {
     match level {
@@ -72,7 +88,7 @@ fn prompt(level: Level) -> String {
 }
 
 /// Shows what comes until the prompt is back, and passes keys on meanwhile. `None` when the user quits.
-fn follow(connection: &mut Connection<Tcp>, mut tail: Tail) -> anyhow::Result<Option<Level>> {
+fn follow(connection: &mut Connection<Tcp>, mut tail: Tail, terminal: Terminal) -> anyhow::Result<Option<Level>> {
     let mut raw: Option<RawMode> = None;
     loop {
         let wait = match (&raw, tail.prompt()) {
@@ -102,7 +118,10 @@ fn follow(connection: &mut Connection<Tcp>, mut tail: Tail) -> anyhow::Result<Op
             let Event::Key(key) = read().context("the keyboard cannot be read")? else { continue };
             match pressed(key) {
                 Pressed::Quit => return Ok(None),
-                Pressed::Character(byte) => connection.type_bytes(&[byte])?,
+                Pressed::Character(byte) => {
+                    connection.type_bytes(&[byte])?;
+                    tell_of(&[byte], terminal)?;
+                }
                 Pressed::Nothing => {}
             }
         }
