@@ -27,7 +27,7 @@ pub use compare::{Comparison, Entry, Pair, Standing, compare};
 pub use immediate::{Detached, Special, Traits};
 pub use listing::{Difference, Listing, Names, unit_lines};
 pub use objection::Objection;
-pub use plan::{Deed, Erased, Plan, Save, Settings, Step};
+pub use plan::{Deed, Erased, NOTHING_STORED, Plan, Save, Settings, Step};
 pub use problem::{Problem, codes};
 pub use script::{Kind, LONGEST_LINE, Place, Script, ScriptFile, ScriptLine, level_of, unit_at};
 pub use send::{Cause, Event, Failure, Watcher, send};

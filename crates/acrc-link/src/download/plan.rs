@@ -21,6 +21,9 @@ use super::script::{Kind, Place, Script, ScriptLine, level_of};
 use super::state::{Fate, State};
 use super::survey::{Survey, switch};
 
+/// A note on a project that has settings only.
+pub const NOTHING_STORED: &str = "nothing is stored: no PROGRAM ... ENDP is in the project";
+
 /// A memory that outlasts power.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Save {
@@ -187,6 +190,9 @@ impl<'a> Builder<'a> {
 
     /// What comes before the lines of the project.
     fn prepare(&mut self, demand: &Demand, settings: &Settings) {
+        if self.script.stores_nothing() {
+            self.plan.notes.push((None, NOTHING_STORED.to_owned()));
+        }
         self.note_activity();
         if !self.survey.running.is_empty() || !self.survey.moving.is_empty() {
             self.own("HALT ALL", Deed::Halt);

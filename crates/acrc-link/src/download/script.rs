@@ -126,6 +126,11 @@ impl Script {
         })
     }
 
+    /// Whether it has settings only, and no program.
+    pub fn stores_nothing(&self) -> bool {
+        self.units().all(|unit| unit.words.is_empty())
+    }
+
     /// The program with a name.
     pub fn unit(&self, name: UnitName) -> Option<&Unit> {
         self.units().find(|unit| unit.name == name)

@@ -4,7 +4,7 @@
 //! The layouts of `DIM` and `DEF` are not documented. What is not understood counts as unknown, and a download then takes
 //! the longer way.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use acrc_catalog::memory::SystemBlock;
 use acrc_catalog::{Law, Model, law};
@@ -110,6 +110,23 @@ impl Survey {
             }
         }
         Ok(())
+    }
+
+    /// What is another than in an earlier survey, in words. What moves is not told: that changes while a program runs.
+    pub fn changes_since(&self, before: &Self) -> Vec<String> {
+        let units: BTreeSet<UnitName> = self.programs.keys().chain(before.programs.keys()).copied().collect();
+        let other = units.into_iter().filter(|unit| self.programs.get(unit) != before.programs.get(unit));
+        let mut changes: Vec<String> = other.map(|unit| format!("the text of {unit}")).collect();
+        let rest = [
+            (self.protected != before.protected, "the protection of the programs"),
+            (self.memory != before.memory, "what DIM reports"),
+            (self.alias_lines != before.alias_lines, "what DEF reports"),
+            (self.attachments != before.attachments || self.hardware != before.hardware, "what ATTACH reports"),
+            (self.running != before.running, "which programs run"),
+            (self.enabled != before.enabled, "which drives are enabled"),
+        ];
+        changes.extend(rest.into_iter().filter(|(differs, _)| *differs).map(|(_, what)| what.to_owned()));
+        changes
     }
 
     fn texts(&mut self, console: &mut dyn Console, model: &Model) -> Result<(), LinkError> {

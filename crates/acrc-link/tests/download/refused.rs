@@ -1,6 +1,7 @@
 //! Downloads that are not begun, or that a controller does not take.
 
-use acrc_link::download::{Cause, Fate, Script, Settings};
+use acrc_link::Console as _;
+use acrc_link::download::{Cause, Fate, NOTHING_STORED, Plan, Script, Settings};
 
 use crate::bench::{Notes, bring, download, look, project, script};
 use crate::support::Machine;
@@ -105,4 +106,38 @@ fn what_cannot_be_sent_is_said_before() {
     what this erases cannot be told before the download, since a condition stands before it
     the line has 1108 characters, and a controller takes 1024
     ");
+}
+
+#[test]
+fn what_others_change_meanwhile_is_seen() {
+    let machine = Machine::new();
+    bring(&machine, &script(&project(SLEEPER)));
+    let mut before = look(&machine);
+    assert_eq!(look(&machine).changes_since(&before), [""; 0]);
+    let other = "PROG0 : PROGRAM\nDWL 2\nENDP";
+    for (typed, changes) in [
+        (other, &["the text of PROG0"][..]),
+        ("SYS : DIM P(7)", &["what DIM reports"]),
+        ("SYS : DIM DEF(2)\n#DEFINE Lamp BIT32", &["what DIM reports", "what DEF reports"]),
+        ("PROG0 : ATTACH MASTER0", &["what ATTACH reports"]),
+        ("RUN PROG0", &["which programs run"]),
+    ] {
+        let mut connection = machine.connect();
+        for line in typed.lines() {
+            connection.command(line).expect("it is answered");
+        }
+        let now = look(&machine);
+        assert_eq!(now.changes_since(&before), changes, "{typed}");
+        before = now;
+    }
+}
+
+#[test]
+fn settings_without_a_program_are_noted() {
+    let machine = Machine::new();
+    let model = acrc_catalog::default_model();
+    for (text, noted) in [("SYS\nDIM P(9)\nP1=3\n", true), (SLEEPER, false)] {
+        let plan = Plan::new(&script(&project(text)), &look(&machine), model, &Settings::default()).expect("a plan");
+        assert_eq!(plan.notes.iter().any(|(_, note)| note == NOTHING_STORED), noted, "{text}");
+    }
 }

@@ -3,12 +3,14 @@
 mod progress;
 mod show;
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use acrc_analysis::project::LoadedProject;
 use acrc_diagnostics::Diagnostic;
 use acrc_image::{Image, UnitName};
-use acrc_link::download::{Cause, Failure, Objection, Plan, Problem, Save, Script, Settings, State, send, survey};
+use acrc_link::download::{
+    Cause, Failure, NOTHING_STORED, Objection, Plan, Problem, Save, Script, Settings, State, Survey, send, survey,
+};
 use acrc_link::{Connection, LinkError, Protocol, Tcp};
 use acrc_syntax::units::Level;
 use anyhow::bail;
@@ -26,6 +28,9 @@ const NOT_SENT: &str = "is not sent";
 
 /// Time for a network or a controller to come back.
 const BETWEEN_ATTEMPTS: Duration = Duration::from_secs(1);
+
+/// What was seen of a controller longer ago than this is looked at again before anything is sent.
+const FRESH: Duration = Duration::from_secs(1);
 
 /// What is to be done.
 struct Order<'a> {
@@ -60,6 +65,10 @@ pub(super) fn run(arguments: &DownloadArguments, color: ColorChoice) -> anyhow::
     let Some(script) = sendable(&project, terminal)? else { return Ok(Exit::Findings) };
     let settings = settings(arguments, &project, &script.image)?;
     watch_interrupt()?;
+    // Otherwise the plan says so.
+    if script.stores_nothing() && arguments.yes && !arguments.plan {
+        crate::exit::warn(NOTHING_STORED, terminal);
+    }
     let order = Order { arguments, project: &project, script, settings, terminal };
     order.run()
 }
@@ -201,22 +210,25 @@ impl Order<'_> {
     /// A whole download, from the connection on.
     fn attempt(&self, confirmed: &mut bool) -> Result<Exit, Ended> {
         let mut connection = self.connect()?;
-        let model = self.project.model;
-        let survey = survey(&mut connection, model)?;
-        let plan = Plan::new(&self.script, &survey, model, &self.settings).map_err(Ended::Objections)?;
+        let (mut seen, mut plan) = self.look(&mut connection)?;
         if self.arguments.plan {
             show::plan(&plan, self).map_err(|error| self.exit(&error))?;
             connection.close();
             return Ok(Exit::Clean);
         }
-        if !*confirmed {
-            show::summary(&plan, self);
-            let question = format!("Send {} to {}?", title(self.project), self.arguments.to.to);
-            match confirm(&question, "a download changes the controller") {
-                Ok(Consent::Given) => *confirmed = true,
-                Ok(Consent::Denied) => return Err(self.exit(&anyhow::anyhow!("nothing was sent"))),
-                Ok(Consent::Interrupted) => return Err(Ended::Exit(Exit::Interrupted)),
-                Err(error) => return Err(self.exit(&error)),
+        while !*confirmed {
+            let looked = Instant::now();
+            self.ask(&plan)?;
+            *confirmed = true;
+            if looked.elapsed() > FRESH {
+                // Others can change the controller as long as the question stands.
+                let (now, new) = self.look(&mut connection)?;
+                let changes = now.changes_since(&seen);
+                if !changes.is_empty() {
+                    crate::exit::warn(&format!("changed meanwhile: {}", changes.join(", ")), self.terminal);
+                    *confirmed = false;
+                }
+                (seen, plan) = (now, new);
             }
         }
         if self.arguments.json {
@@ -224,12 +236,32 @@ impl Order<'_> {
                 .map_err(|error| self.exit(&error))?;
         }
         let mut progress = Progress::new(self.arguments.json, &self.script);
-        let sent = send(&mut connection, &self.script, &plan, &self.settings, &mut progress, model);
+        let sent = send(&mut connection, &self.script, &plan, &self.settings, &mut progress, self.project.model);
         progress.finish();
         let state: State = sent.map_err(Ended::Failure)?;
         connection.close();
         show::done(&state, &plan, self).map_err(|error| self.exit(&error))?;
         Ok(Exit::Clean)
+    }
+
+    /// What the controller has now, and what is to be done with it.
+    fn look(&self, connection: &mut Connection<Tcp>) -> Result<(Survey, Plan), Ended> {
+        let model = self.project.model;
+        let survey = survey(connection, model)?;
+        let plan = Plan::new(&self.script, &survey, model, &self.settings).map_err(Ended::Objections)?;
+        Ok((survey, plan))
+    }
+
+    /// Asks at the terminal whether a plan shall be carried out; an error when not.
+    fn ask(&self, plan: &Plan) -> Result<(), Ended> {
+        show::summary(plan, self);
+        let question = format!("Send {} to {}?", title(self.project), self.arguments.to.to);
+        match confirm(&question, "a download changes the controller") {
+            Ok(Consent::Given) => Ok(()),
+            Ok(Consent::Denied) => Err(self.exit(&anyhow::anyhow!("nothing was sent"))),
+            Ok(Consent::Interrupted) => Err(Ended::Exit(Exit::Interrupted)),
+            Err(error) => Err(self.exit(&error)),
+        }
     }
 
     fn exit(&self, error: &anyhow::Error) -> Ended {
