@@ -74,6 +74,18 @@ fn a_project_goes_there_and_back() {
 }
 
 #[test]
+fn settings_alone_are_sent_with_a_warning() {
+    let (bench, server) = (Bench::new(), Server::start());
+    bench.file("machine.8K", "SYS\nDIM P(9)\nP1=3\n");
+    let warning = "nothing is stored: no PROGRAM ... ENDP is in the project";
+    let run = bench.link(&server, "download machine.8K --plan").expect(0);
+    assert!(run.stdout.contains(warning), "{}", run.stdout);
+    let run = bench.link(&server, "download machine.8K --yes").expect(0);
+    assert!(run.stdout.contains("0 programs verified"), "{}", run.stdout);
+    assert_eq!(run.stderr, format!("warning: {warning}\n"));
+}
+
+#[test]
 fn mistakes_stop_it_before_a_connection_is_made() {
     let bench = Bench::new();
     bench.file("machine.8K", MACHINE.replace("SET Lamp", "SET Lampp"));

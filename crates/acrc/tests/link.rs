@@ -77,6 +77,16 @@ fn values_are_read_over_both_ports() {
 }
 
 #[test]
+fn the_wrong_port_is_named() {
+    let bench = Bench::new();
+    let serve = Serve::start(&bench);
+    let run = acrc(&bench, &format!("127.0.0.1:{}", serve.mixed), "get --text P1").expect(2);
+    assert!(run.stderr.contains("as a port for packets does (5006): --packets speaks to it"), "{}", run.stderr);
+    let run = acrc(&bench, &serve.to(), "get --packets P12288").expect(2);
+    assert!(run.stderr.contains("as a port for text does (5002): --text speaks text to it"), "{}", run.stderr);
+}
+
+#[test]
 fn what_is_written_is_read_back() {
     let bench = Bench::new();
     let serve = Serve::start(&bench);

@@ -72,10 +72,14 @@ fn greet(name: &str, terminal: Terminal) -> io::Result<()> {
 
 /// Says what a key has made the controller do, since a controller says nothing of it.
 fn tell_of(key: &[u8], terminal: Terminal) -> anyhow::Result<()> {
-    let Some((_, note)) = NOTES.iter().find(|(byte, _)| key == [*byte]) else { return Ok(()) };
+    let Some(note) = note_of(key) else { return Ok(()) };
     let mut out = io::stdout().lock();
     let written = write!(out, "{}\r\n", terminal.faint(note)).and_then(|()| out.flush());
     written.context("cannot write to the terminal")
+}
+
+fn note_of(key: &[u8]) -> Option<&'static str> {
+    NOTES.iter().find(|(byte, _)| key == [*byte]).map(|(_, note)| *note)
 }
 
 /// The prompt as the controller writes it.
@@ -133,4 +137,17 @@ fn show(text: &str) -> anyhow::Result<()> {
     let text: String = text.chars().filter(|character| is_shown(*character)).collect();
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).context("cannot write to the terminal")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_that_act_on_the_machine_are_told() {
+        for (key, begin) in [(b"\x18", "Ctrl-X: "), (b"\x19", "Ctrl-Y: "), (b"\x1a", "Ctrl-Z: ")] {
+            assert!(note_of(key).is_some_and(|note| note.starts_with(begin)), "{begin}");
+        }
+        assert_eq!((note_of(b"\x1b"), note_of(b"x"), note_of(b"")), (None, None, None));
+    }
 }
