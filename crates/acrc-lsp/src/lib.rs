@@ -1,8 +1,8 @@
 //! The language server: `acrc lsp`.
 //!
 //! What an editor asks is answered by `acrc-ide`; this crate knows the protocol. Messages are taken in the order in
-//! which they arrive ([`transport`]) and queued for the one thread that owns the database ([`writer`]). It applies edits
-//! itself, and gives every question a snapshot that a thread of the [`pool`] answers from. The next edit ends what is
+//! which they arrive (`transport`) and queued for the one thread that owns the database (`writer`). It applies edits
+//! itself, and gives every question a snapshot that a thread of the `pool` answers from. The next edit ends what is
 //! still being asked of older snapshots.
 //!
 //! **Invariants.** No feature is computed here. Only the writer changes the database. Every request is answered, also
