@@ -37,7 +37,7 @@ mod tests {
 
     #[test]
     fn one_file_has_one_path_however_its_uri_is_written() {
-        let encoded: Uri = "file:///w%6Frk/Prog0%2E8K".parse().expect("a URI");
+        let encoded: Uri = "file:///m%61chine/Prog0%2E8K".parse().expect("a URI");
         assert_eq!(path_of(&encoded), "/machine/Prog0.8K");
     }
 }
