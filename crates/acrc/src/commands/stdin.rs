@@ -1,7 +1,8 @@
-//! A program from standard input: `acrc lint -`, `acrc fmt -`.
+//! Standard input: a program for `acrc lint -` and `acrc fmt -`, or what is typed at a terminal through a pipe.
 
-use std::io::Read as _;
+use std::io::{self, ErrorKind, Read as _};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, sync_channel};
 
 use acrc_analysis::project::{self, LoadedProject, Overlay};
 use anyhow::{Context as _, bail};
@@ -14,6 +15,9 @@ use super::targets::Target;
 const STDIN: &str = "-";
 /// What it is called without `--stdin-filename`.
 const NAME: &str = "<stdin>";
+
+/// Bytes that are read at once of what is typed.
+const CHUNK: usize = 4096;
 
 /// Whether the paths mean standard input, alone.
 pub(crate) fn is_meant(paths: &[PathBuf], name: Option<&Path>) -> anyhow::Result<bool> {
@@ -46,4 +50,28 @@ pub(crate) fn read() -> anyhow::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     std::io::stdin().lock().read_to_end(&mut bytes).context("cannot read standard input")?;
     Ok(bytes)
+}
+
+/// Reads in a thread of its own, `chunks` ahead of whoever takes them, so that something else can go on meanwhile. The end of the
+/// input, and an error of it, end the channel.
+pub(crate) fn read_ahead(chunks: usize) -> Receiver<io::Result<Vec<u8>>> {
+    let (sender, receiver) = sync_channel(chunks);
+    std::thread::spawn(move || {
+        let mut input = io::stdin().lock();
+        let mut buffer = [0; CHUNK];
+        loop {
+            let read = match input.read(&mut buffer) {
+                Ok(0) => return,
+                Ok(count) => Ok(buffer.iter().take(count).copied().collect()),
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                Err(error) => Err(error),
+            };
+            let failed = read.is_err();
+            // After an error, or when the session is over, there is nothing more to read.
+            if sender.send(read).is_err() || failed {
+                return;
+            }
+        }
+    });
+    receiver
 }

@@ -2,8 +2,8 @@
 //!
 //! At full speed virtual time depends on nothing but the bytes: the same input gives the same output, byte by byte, however it arrives.
 
-use std::io::{self, ErrorKind, Read as _, Write as _};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::io::{self, ErrorKind, Write as _};
+use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 
 use acrc_controller::PromptState;
@@ -11,11 +11,10 @@ use anyhow::Context as _;
 
 use super::session::Session;
 use crate::cli::Speed;
+use crate::commands::stdin::read_ahead;
 
 /// Wall time between two looks at the controller.
 const BEAT: Duration = Duration::from_millis(2);
-/// Bytes that are read at once.
-const CHUNK: usize = 4096;
 /// Chunks that wait for the controller.
 const CHUNKS: usize = 16;
 
@@ -29,7 +28,7 @@ pub(super) fn run(session: &mut Session, linger: f64) -> anyhow::Result<()> {
 }
 
 fn feed(session: &mut Session, linger: f64) -> io::Result<()> {
-    let chunks = read_ahead();
+    let chunks = read_ahead(CHUNKS);
     let mut line = Vec::new();
     loop {
         let chunk = match session.speed() {
@@ -114,27 +113,4 @@ fn show(session: &mut Session) -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(&bytes)?;
     out.flush()
-}
-
-/// Reads standard input beside the controller, so that its time can pass meanwhile.
-fn read_ahead() -> Receiver<io::Result<Vec<u8>>> {
-    let (sender, receiver) = sync_channel(CHUNKS);
-    std::thread::spawn(move || {
-        let mut input = io::stdin().lock();
-        let mut buffer = [0; CHUNK];
-        loop {
-            let read = match input.read(&mut buffer) {
-                Ok(0) => return,
-                Ok(count) => Ok(buffer.iter().take(count).copied().collect()),
-                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => Err(error),
-            };
-            let failed = read.is_err();
-            // After an error, or when the session is over, there is nothing more to read.
-            if sender.send(read).is_err() || failed {
-                return;
-            }
-        }
-    });
-    receiver
 }

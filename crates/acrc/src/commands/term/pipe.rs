@@ -1,7 +1,7 @@
 //! A session from a pipe or a file: bytes in, bytes out.
 
-use std::io::{self, ErrorKind, Read as _, Write as _};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::io::{self, ErrorKind, Write as _};
+use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 
 use acrc_link::{Connection, LinkError, Tcp};
@@ -9,6 +9,7 @@ use anyhow::Context as _;
 
 use super::tail::Tail;
 use crate::commands::link::interrupted;
+use crate::commands::stdin::read_ahead;
 
 /// A line that brings no prompt (`LRUN`) is followed by the next when nothing came for so long.
 const QUIET: Duration = Duration::from_millis(200);
@@ -16,13 +17,11 @@ const QUIET: Duration = Duration::from_millis(200);
 const PATIENCE: u32 = 10;
 /// Wall time between two looks at the input.
 const BEAT: Duration = Duration::from_millis(20);
-/// Bytes that are read at once.
-const CHUNK: usize = 4096;
 
 /// Sends what comes from standard input, line by line, and shows what comes back, until the input is over and nothing came
 /// for a time.
 pub(super) fn run(connection: &mut Connection<Tcp>, linger: Duration) -> anyhow::Result<()> {
-    let chunks = read_ahead();
+    let chunks = read_ahead(1);
     let mut line = Vec::new();
     loop {
         match chunks.recv_timeout(BEAT) {
@@ -89,26 +88,4 @@ fn show(text: &str) -> anyhow::Result<bool> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
         result => result.map(|()| true).context("cannot write"),
     }
-}
-
-/// Reads standard input beside the connection.
-fn read_ahead() -> Receiver<io::Result<Vec<u8>>> {
-    let (sender, receiver) = sync_channel(1);
-    std::thread::spawn(move || {
-        let mut input = io::stdin().lock();
-        let mut buffer = [0; CHUNK];
-        loop {
-            let read = match input.read(&mut buffer) {
-                Ok(0) => return,
-                Ok(count) => Ok(buffer.iter().take(count).copied().collect()),
-                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => Err(error),
-            };
-            let failed = read.is_err();
-            if sender.send(read).is_err() || failed {
-                return;
-            }
-        }
-    });
-    receiver
 }
